@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/vector.h"
+#include "engine/mesh/mesh.h"
+
+namespace palpate {
+
+// A local minimum distance between two models A and B, or one point of a plateau of equal ones. Metres, frame of A.
+struct Lmd {
+  DVec3 point_a;
+  DVec3 point_b;
+  DVec3 normal;  // unit vector from point_a to point_b
+  double distance;
+  double weight;      // the weights of one set sum to 1
+  std::uint32_t set;  // points of one plateau share it
+  Feature feature_a;
+  Feature feature_b;
+};
+
+// Two triangles, by their index in their meshes.
+struct TrianglePair {
+  std::uint32_t a;
+  std::uint32_t b;
+
+  friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+};
+
+// Work that a search did, to prove what was skipped.
+struct SearchWork {
+  std::uint64_t node_pairs = 0;      // visited
+  std::uint64_t triangle_pairs = 0;  // tested
+};
+
+// The complete set of local minimum distances between two models within the cutoff.
+struct LmdSet {
+  std::vector<Lmd> lmds;                // ordered by set, then by features
+  std::uint32_t set_count = 0;          // a plateau counts once
+  std::vector<TrianglePair> overlaps;   // triangles that touch or cross, up to a limit
+  bool overlaps_cut = false;            // there are more than the limit
+  SearchWork work;
+
+  bool overlapping() const { return !overlaps.empty(); }
+  bool has_plateau() const { return lmds.size() > set_count; }
+  void clear();
+};
+
+}  // namespace palpate
