@@ -5,8 +5,9 @@
 namespace palpate {
 namespace {
 
-// Zero keeps every input bit where the interval reaches near zero. Elsewhere all numbers of the interval share the
-// exponent range of its nearer end, so subtracting a centre on that end's grid is exact in float32 as well.
+// Zero keeps every input bit where the interval reaches near zero. Elsewhere all numbers of the interval
+// share the exponent range of its nearer end, so subtracting a centre on that end's grid is exact in float32
+// as well.
 double origin_of(double low, double high) {
   const double nearest = low > 0 ? low : high < 0 ? -high : 0.0;
   if (nearest < 0.5 * (high - low)) return 0.0;

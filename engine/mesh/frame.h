@@ -5,8 +5,9 @@
 
 namespace palpate {
 
-// The normalised frame of a model: metres = origin + scale · normalised. `scale` is a power of two that brings the
-// diagonal into (0.5, 1]; `origin` is chosen per axis so that no bit of a float32 input is lost (see frame.cpp).
+// The normalised frame of a model: metres = origin + scale · normalised. `scale` is a power of two that
+// brings the diagonal into (0.5, 1]; `origin` is chosen per axis so that no bit of a float32 input is lost
+// (see frame.cpp).
 struct ModelFrame {
   DVec3 origin{0.0};
   double scale = 1.0;

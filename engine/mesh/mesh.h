@@ -46,16 +46,16 @@ struct Mesh {
   ModelFrame frame;
   MeshReport report;
 
-  std::vector<Vec3> positions;             // normalised frame
-  std::vector<TriangleIndices> triangles;  // vertices, counter-clockwise seen from outside
+  std::vector<Vec3> positions;                  // normalised frame
+  std::vector<TriangleIndices> triangles;       // vertices, counter-clockwise seen from outside
   std::vector<TriangleIndices> triangle_edges;  // edge k joins corners k and (k + 1) % 3
-  std::vector<Edge> edges;                 // vertex[0] < vertex[1]
-  IndexLists edge_triangles;               // ascending, so the first one owns the edge
-  IndexLists vertex_triangles;             // ascending, so the first one owns the vertex
-  IndexLists vertex_neighbours;            // the other ends of the edges at a vertex
+  std::vector<Edge> edges;                      // vertex[0] < vertex[1]
+  IndexLists edge_triangles;                    // ascending, so the first one owns the edge
+  IndexLists vertex_triangles;                  // ascending, so the first one owns the vertex
+  IndexLists vertex_neighbours;                 // the other ends of the edges at a vertex
 
-  std::vector<bool> double_sided;      // by triangle
-  std::vector<std::uint32_t> source;   // by triangle: its index in the soup
+  std::vector<bool> double_sided;     // by triangle
+  std::vector<std::uint32_t> source;  // by triangle: its index in the soup
   std::vector<FeatureFlags> edge_flags;
   std::vector<FeatureFlags> vertex_flags;
 

@@ -8,7 +8,8 @@
 
 namespace palpate {
 
-// A local minimum distance between two models A and B, or one point of a plateau of equal ones. Metres, frame of A.
+// A local minimum distance between two models A and B, or one point of a plateau of equal ones. Metres, frame
+// of A.
 struct Lmd {
   DVec3 point_a;
   DVec3 point_b;
@@ -36,13 +37,13 @@ struct SearchWork {
 
 // The complete set of local minimum distances between two models within the cutoff.
 struct LmdSet {
-  std::vector<Lmd> lmds;                // ordered by set, then by features
-  std::uint32_t set_count = 0;          // a plateau counts once
-  std::vector<TrianglePair> overlaps;   // triangles that touch or cross, up to a limit
-  bool overlaps_cut = false;            // there are more than the limit
+  std::vector<Lmd> lmds;               // ordered by set, then by features
+  std::uint32_t set_count = 0;         // a plateau counts once
+  std::vector<TrianglePair> overlaps;  // triangles that touch or cross, up to a limit
+  bool overlaps_cut = false;           // there are more than the limit
   SearchWork work;
 
-  bool overlapping() const { return !overlaps.empty(); }
+  bool overlapping() const { return overlaps_cut || !overlaps.empty(); }
   bool has_plateau() const { return lmds.size() > set_count; }
   void clear();
 };

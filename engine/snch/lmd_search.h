@@ -12,13 +12,13 @@ namespace palpate {
 struct SearchOptions {
   double cutoff = 0.0;  // metres
   std::size_t max_overlaps = 1024;
-  // Directions this far outside a polar cone still belong to a plateau (radians). A caller that follows a motion
-  // widens it while there is a plateau, so that a rocking box does not flicker.
+  // Directions this far outside a polar cone still belong to a plateau (radians). A caller that follows a
+  // motion widens it while there is a plateau, so that a rocking box does not flicker.
   double parallel_tolerance = 1e-6;
 };
 
-// Searches two models for all local minimum distances, from scratch. Keeps its memory from call to call, so that a
-// search like one before allocates nothing. One thread at a time for each object.
+// Searches two models for all local minimum distances, from scratch. Keeps its memory from call to call, so
+// that a search like one before allocates nothing. One thread at a time for each object.
 class LmdSearch {
  public:
   LmdSearch();

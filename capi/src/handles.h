@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "capi/src/contact_arrays.h"
+#include "capi/src/errors.h"
+#include "capi/src/space.h"
+#include "engine/exchange/handle_table.h"
+#include "engine/scene/query.h"
+#include "engine/scene/scene.h"
+
+namespace palpate::capi {
+
+struct ModelObject {
+  std::shared_ptr<const Model> model;
+  double load_us;
+};
+
+struct QueryObject {
+  Query query;
+  ContactArrays arrays;
+};
+
+struct SceneObject {
+  Space space;
+  Scene scene;
+  ContactArrays arrays;
+};
+
+// The tables live until the process ends: a thread that still calls at exit must not meet a destroyed one.
+HandleTable<ModelObject>& model_table();
+HandleTable<QueryObject>& query_table();
+HandleTable<SceneObject>& scene_table();
+
+// A C handle is a pointer type that holds the 64 bits of a table's handle.
+template <class T>
+std::uint64_t bits_of(T* handle) {
+  static_assert(sizeof(handle) == sizeof(std::uint64_t), "handles need 64 bits");
+  return reinterpret_cast<std::uintptr_t>(handle);
+}
+
+// Refuses what a table did not know. `name` is the argument's.
+template <class Pin>
+void require_handle(const Pin& pin, const char* name) {
+  if (!pin) refuse(ErrorCode::kInvalidHandle, std::string(name) + " is null, released or of another kind");
+}
+
+// Puts `object` into `table`; refuses with PLP_ERROR_LIMIT if that is full.
+template <class Handle, class T>
+Handle new_handle(HandleTable<T>& table, std::unique_ptr<T> object) {
+  const std::uint64_t bits = table.create(std::move(object));
+  if (bits == 0) refuse(ErrorCode::kLimit, "there are too many objects of this kind");
+  return reinterpret_cast<Handle>(static_cast<std::uintptr_t>(bits));
+}
+
+// What every release function does: null is allowed, the last reference destroys.
+template <class T, class Handle>
+void release_handle(HandleTable<T>& table, Handle handle, const char* name) {
+  if (!handle) return;
+  const bool released = table.release(bits_of(handle)) == SlotTable::Outcome::kDone;
+  require_handle(released, name);
+}
+
+}  // namespace palpate::capi

@@ -1,0 +1,244 @@
+#include <filesystem>
+#include <span>
+
+#include "capi/src/handles.h"
+#include "capi/src/log.h"
+#include "capi/src/numbers.h"
+#include "capi/src/structs.h"
+#include "capi/src/triangles.h"
+#include "engine/base/clock.h"
+#include "engine/gltf/gltf_file.h"
+
+namespace palpate::capi {
+namespace {
+
+constexpr std::uint64_t kDefaultMaxTriangles = 100'000'000;
+// Three corners a triangle are counted in 32 bits.
+constexpr std::uint64_t kLibraryMaxTriangles = 1'000'000'000;
+constexpr std::uint32_t kKnownFlags = PLP_MODEL_DOUBLE_SIDED | PLP_MODEL_KEEP_WINDING;
+
+plp_model_options default_model_options() {
+  plp_model_options options{};
+  options.struct_size = sizeof options;
+  options.gltf_scene = -1;
+  return options;
+}
+
+plp_model_options checked_model_options(const plp_model_options* given) {
+  if (!given) return default_model_options();
+  const plp_model_options options = read_struct(given, "options");
+  require((options.flags & ~kKnownFlags) == 0, "options->flags has a flag that this version does not know");
+  require(options.reserved == 0, "options->reserved is not zero");
+  require(options.gltf_scene >= -1, "options->gltf_scene is less than -1");
+  checked_not_negative(options.weld_tolerance, "options->weld_tolerance");
+  return options;
+}
+
+std::uint64_t max_triangles(const plp_model_options& options) {
+  const std::uint64_t wanted = options.max_triangles != 0 ? options.max_triangles : kDefaultMaxTriangles;
+  return std::min(wanted, kLibraryMaxTriangles);
+}
+
+MeshOptions mesh_options(const plp_model_options& options) {
+  MeshOptions mesh;
+  mesh.weld_tolerance = options.weld_tolerance;
+  mesh.all_double_sided = (options.flags & PLP_MODEL_DOUBLE_SIDED) != 0;
+  mesh.keep_winding = (options.flags & PLP_MODEL_KEEP_WINDING) != 0;
+  return mesh;
+}
+
+GltfOptions gltf_options(const plp_model_options& options) {
+  GltfOptions gltf;
+  gltf.scene = options.gltf_scene;
+  gltf.limits.max_triangles = max_triangles(options);
+  return gltf;
+}
+
+std::filesystem::path path_of(const char* utf8) {
+  return {reinterpret_cast<const char8_t*>(utf8)};
+}
+
+void log_model(const std::string& name, const MeshReport& report, double load_us) {
+  for (const std::string& note : report.notes) log_quietly(LogLevel::kWarning, name + ": " + note);
+  log_quietly(LogLevel::kInfo, name + ": " + std::to_string(report.final.triangles) + " triangles and " +
+                                   std::to_string(report.final.vertices) + " vertices in " +
+                                   std::to_string(static_cast<std::uint64_t>(load_us)) + " us");
+}
+
+// `notes` are a loader's; they come before those of the mesh.
+plp_model new_model(const TriangleSoup& soup, std::vector<std::string> notes,
+                    const plp_model_options& options, const std::string& name, const Stopwatch& watch) {
+  Result<Mesh> built = build_mesh(soup, mesh_options(options));
+  if (!built) refuse(built.error().code, name + ": " + built.error().message);
+  Mesh mesh = std::move(built.value());
+  notes.insert(notes.end(), mesh.report.notes.begin(), mesh.report.notes.end());
+  mesh.report.notes = std::move(notes);
+
+  auto object = std::make_unique<ModelObject>();
+  object->model = std::make_shared<const Model>(std::move(mesh));
+  object->load_us = watch.elapsed_us();
+  const std::shared_ptr<const Model> model = object->model;
+  const double load_us = object->load_us;
+  const auto handle = new_handle<plp_model>(model_table(), std::move(object));
+  log_model(name, model->mesh().report, load_us);
+  return handle;
+}
+
+plp_model new_gltf_model(const GltfScene& scene, const plp_model_options& options, const std::string& name,
+                         const Stopwatch& watch) {
+  return new_model(bake(scene), scene.notes, options, name, watch);
+}
+
+plp_surface_counts counts_of(const SurfaceCounts& counts) {
+  plp_surface_counts out{};
+  out.triangles = counts.triangles;
+  out.vertices = counts.vertices;
+  out.edges = counts.edges;
+  out.boundary_edges = counts.boundary_edges;
+  out.nonmanifold_edges = counts.nonmanifold_edges;
+  out.inconsistent_edges = counts.inconsistent_edges;
+  out.components = counts.components;
+  out.orientation = static_cast<std::int32_t>(counts.orientation);
+  out.watertight = counts.watertight();
+  return out;
+}
+
+static_assert(static_cast<int>(Orientation::kOpen) == PLP_ORIENTATION_OPEN);
+static_assert(static_cast<int>(Orientation::kOutward) == PLP_ORIENTATION_OUTWARD);
+static_assert(static_cast<int>(Orientation::kInward) == PLP_ORIENTATION_INWARD);
+static_assert(static_cast<int>(Orientation::kMixed) == PLP_ORIENTATION_MIXED);
+
+void describe_mesh(const MeshReport& report, plp_model_info& info) {
+  info.note_count = static_cast<std::uint32_t>(report.notes.size());
+  info.source = counts_of(report.source);
+  info.searched = counts_of(report.final);
+  info.stored_vertices = report.stored_vertices;
+  info.degenerate_triangles = report.degenerate_triangles;
+  info.duplicate_triangles = report.duplicate_triangles;
+  info.split_triangles = report.split_triangles;
+  info.reversed_triangles = report.reversed_triangles;
+  info.flipped_components = report.flipped_components;
+  info.double_sided_triangles = report.double_sided_triangles;
+}
+
+plp_model_info info_of(const ModelObject& object) {
+  const Model& model = *object.model;
+  plp_model_info info{};
+  describe_mesh(model.mesh().report, info);
+  for (int i = 0; i < 3; ++i) {
+    info.bounds_min[i] = model.bounds().low[i];
+    info.bounds_max[i] = model.bounds().high[i];
+  }
+  info.diagonal = model.bounds().diagonal();
+  info.mesh_bytes = model.mesh().bytes();
+  info.load_us = object.load_us;
+  if (const Tree* tree = model.tree_if_built()) {
+    info.tree_bytes = tree->bytes();
+    info.tree_nodes = tree->node_count();
+    info.tree_us = tree->build_us();
+  }
+  return info;
+}
+
+}  // namespace
+}  // namespace palpate::capi
+
+using namespace palpate;
+using namespace palpate::capi;
+
+void plp_model_options_init(plp_model_options* options) {
+  if (options) *options = default_model_options();
+}
+
+plp_result plp_model_load_file(const char* path, const plp_model_options* options, plp_model* model) {
+  return guarded([&] {
+    const Stopwatch watch;
+    require(path && *path, "path is null or empty");
+    require(model, "model is null");
+    const plp_model_options checked = checked_model_options(options);
+    const GltfScene scene = value_or_refuse(read_gltf_file(path_of(path), gltf_options(checked)));
+    *model = new_gltf_model(scene, checked, path, watch);
+  });
+}
+
+plp_result plp_model_load_memory(const void* data, size_t size, const char* folder,
+                                 const plp_model_options* options, plp_model* model) {
+  return guarded([&] {
+    const Stopwatch watch;
+    require(data, "data is null");
+    require(model, "model is null");
+    const plp_model_options checked = checked_model_options(options);
+    const std::span bytes(static_cast<const std::byte*>(data), size);
+    const std::string name = "glTF in memory";
+    const GltfScene scene =
+        value_or_refuse(read_gltf_bytes(bytes, name, path_of(folder ? folder : ""), gltf_options(checked)));
+    *model = new_gltf_model(scene, checked, name, watch);
+  });
+}
+
+void plp_triangles_init(plp_triangles* triangles) {
+  if (!triangles) return;
+  *triangles = {};
+  triangles->struct_size = sizeof *triangles;
+  triangles->position_type = PLP_TYPE_FLOAT32;
+  triangles->index_type = PLP_TYPE_UINT32;
+  triangles->space = kPalpateSpace;
+}
+
+plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const plp_model_options* options,
+                                           plp_model* model) {
+  return guarded([&] {
+    const Stopwatch watch;
+    require(model, "model is null");
+    const plp_triangles given = read_struct(triangles, "triangles");
+    const plp_model_options checked = checked_model_options(options);
+    const TriangleSoup soup = read_triangles(given, max_triangles(checked));
+    *model = new_model(soup, {}, checked, "triangles", watch);
+  });
+}
+
+plp_result plp_model_retain(plp_model model) {
+  return guarded([&] {
+    const SlotTable::Outcome outcome = model_table().retain(bits_of(model));
+    if (outcome == SlotTable::Outcome::kFull)
+      refuse(ErrorCode::kLimit, "model has 65,535 references already");
+    require_handle(outcome == SlotTable::Outcome::kDone, "model");
+  });
+}
+
+plp_result plp_model_release(plp_model model) {
+  return guarded([&] { release_handle(model_table(), model, "model"); });
+}
+
+void plp_model_info_init(plp_model_info* info) {
+  if (!info) return;
+  *info = {};
+  info->struct_size = sizeof *info;
+}
+
+plp_result plp_model_get_info(plp_model model, plp_model_info* info) {
+  return guarded([&] {
+    const auto object = model_table().pin(bits_of(model));
+    require_handle(object, "model");
+    write_struct(info_of(*object), info, "info");
+  });
+}
+
+const char* plp_model_note(plp_model model, uint32_t index) {
+  const char* note = nullptr;
+  guarded([&] {
+    const auto object = model_table().pin(bits_of(model));
+    require_handle(object, "model");
+    const std::vector<std::string>& notes = object->model->mesh().report.notes;
+    if (index < notes.size()) note = notes[index].c_str();
+  });
+  return note;
+}
+
+plp_result plp_model_prepare(plp_model model) {
+  return guarded([&] {
+    const auto object = model_table().pin(bits_of(model));
+    require_handle(object, "model");
+    object->model->tree();
+  });
+}

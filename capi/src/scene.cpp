@@ -1,0 +1,159 @@
+#include "capi/src/handles.h"
+#include "capi/src/numbers.h"
+#include "capi/src/structs.h"
+
+namespace palpate::capi {
+namespace {
+
+double cutoff_in(const Space& space, double cutoff, const char* name) {
+  return checked_positive(space.length_in(checked(cutoff, name)), name);
+}
+
+BodyKind kind_of(const plp_body_options& options) {
+  switch (raw_enum(options.kind)) {
+    case PLP_BODY_STATIC:
+      return BodyKind::kStatic;
+    case PLP_BODY_MOVING:
+      return BodyKind::kMoving;
+    case PLP_BODY_TOOL:
+      return BodyKind::kTool;
+  }
+  refuse(ErrorCode::kInvalidArgument, "options->kind is no plp_body_kind");
+}
+
+// All but the model.
+BodyOptions body_in(const plp_body_options& options, const Space& space) {
+  BodyOptions body;
+  body.kind = kind_of(options);
+  body.pose = space.pose_in(options.pose, "options->pose");
+  body.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
+  body.reference_point =
+      checked(space.point_in(vector_of(options.reference_point)), "options->reference_point");
+  return body;
+}
+
+std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
+  const Space space(options.space, "options->space");
+  SceneOptions scene;
+  scene.cutoff = cutoff_in(space, options.cutoff, "options->cutoff");
+  scene.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
+  scene.max_overlaps = options.max_overlaps;
+  return std::make_unique<SceneObject>(space, Scene(scene), ContactArrays());
+}
+
+HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {
+  return scene_table().pin(bits_of(scene));
+}
+
+void require_body(bool found) {
+  if (!found) refuse(ErrorCode::kInvalidHandle, "body is none of this scene");
+}
+
+}  // namespace
+}  // namespace palpate::capi
+
+using namespace palpate;
+using namespace palpate::capi;
+
+void plp_scene_options_init(plp_scene_options* options) {
+  if (!options) return;
+  *options = {};
+  options->struct_size = sizeof *options;
+  options->max_overlaps = 1024;
+  options->space = kPalpateSpace;
+  options->stiffness = 1000.0;
+}
+
+plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene) {
+  return guarded([&] {
+    require(scene, "scene is null");
+    *scene = new_handle<plp_scene>(scene_table(), new_scene(read_struct(options, "options")));
+  });
+}
+
+plp_result plp_scene_release(plp_scene scene) {
+  return guarded([&] { release_handle(scene_table(), scene, "scene"); });
+}
+
+void plp_body_options_init(plp_body_options* options) {
+  if (!options) return;
+  *options = {};
+  options->struct_size = sizeof *options;
+  options->kind = PLP_BODY_STATIC;
+  options->pose.orientation[3] = 1.0;
+}
+
+plp_result plp_scene_add_body(plp_scene scene, const plp_body_options* options, plp_body* body) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    require(body, "body is null");
+    const plp_body_options given = read_struct(options, "options");
+    BodyOptions placed = body_in(given, object->space);
+    const auto model = model_table().pin(bits_of(given.model));
+    require_handle(model, "options->model");
+    placed.model = model->model;
+    *body = value_or_refuse(object->scene.add(std::move(placed)));
+  });
+}
+
+plp_result plp_scene_remove_body(plp_scene scene, plp_body body) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    require_body(object->scene.remove(body));
+  });
+}
+
+plp_result plp_scene_set_pose(plp_scene scene, plp_body body, const plp_pose* pose) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    require(pose, "pose is null");
+    require_body(object->scene.set_pose(body, object->space.pose_in(*pose, "pose")));
+  });
+}
+
+plp_result plp_scene_get_pose(plp_scene scene, plp_body body, plp_pose* pose) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    require(pose, "pose is null");
+    const Body* found = object->scene.find(body);
+    require_body(found);
+    *pose = object->space.pose_out(found->pose());
+  });
+}
+
+plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_cutoff(cutoff_in(object->space, cutoff, "cutoff"));
+  });
+}
+
+plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_stiffness(checked_not_negative(stiffness, "stiffness"));
+  });
+}
+
+plp_result plp_scene_step(plp_scene scene) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.step();
+    object->arrays.assign(object->scene.contacts(), object->space);
+  });
+}
+
+plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contacts) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    write_struct(object->arrays.shown(), contacts, "contacts");
+  });
+}

@@ -1,0 +1,30 @@
+#include "engine/gltf/file_bytes.h"
+
+#include <fstream>
+#include <system_error>
+
+#include "engine/gltf/load_error.h"
+
+namespace palpate::gltf {
+
+std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, LoadBudget& budget) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::status_known(status)) fail(ErrorCode::kFileRead, error.message());
+  if (!std::filesystem::exists(status)) fail(ErrorCode::kFileNotFound, "no such file");
+  // Opening a pipe or a device could block forever.
+  if (!std::filesystem::is_regular_file(status)) fail(ErrorCode::kFileRead, "not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) fail(ErrorCode::kFileRead, error.message());
+  budget.take_bytes(size);
+
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail(ErrorCode::kFileRead, "the file cannot be opened");
+  std::vector<std::byte> bytes(size);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
+    fail(ErrorCode::kFileRead, "the file ended while it was read");
+  return bytes;
+}
+
+}  // namespace palpate::gltf

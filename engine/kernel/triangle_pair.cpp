@@ -1,0 +1,81 @@
+#include "engine/kernel/triangle_pair.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/kernel/line_pair.h"
+
+namespace palpate {
+namespace {
+
+// NaN, which a parameter of parallel lines may be, becomes 0.
+double clamp_unit(double x) {
+  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+}
+
+void keep_closer(ClosestPoints& best, const DVec3& on_first, const DVec3& on_second) {
+  const DVec3 between = on_second - on_first;
+  const double squared = glm::dot(between, between);
+  if (squared < best.squared_distance) best = {squared, on_first, on_second};
+}
+
+void compare_segments(ClosestPoints& best, const DVec3& p, const DVec3& u, const DVec3& q, const DVec3& v) {
+  const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
+  const DVec3 between = q - p;
+  const LinePair lines(p, u, q, v);
+  double s = clamp_unit(lines.s);
+  const double t = clamp_unit((s * uv - glm::dot(between, v)) / vv);
+  s = clamp_unit((t * uv + glm::dot(between, u)) / uu);
+  keep_closer(best, p + s * u, q + t * v);
+}
+
+// The foot of `point` in the plane of `triangle` lies inside the triangle.
+bool over_face(const Triangle& triangle, const DVec3& area, const DVec3& point) {
+  for (int side = 0; side < 3; ++side)
+    if (glm::dot(glm::cross(area, triangle.along(side)), point - triangle.start(side)) < 0) return false;
+  return true;
+}
+
+void compare_corners(ClosestPoints& best, const Triangle& face, const Triangle& corners, bool swapped) {
+  const DVec3 area = face.area_vector();
+  const double area_squared = glm::dot(area, area);
+  if (!(area_squared > 0)) return;
+  for (const DVec3& corner : corners.corner) {
+    if (!over_face(face, area, corner)) continue;
+    const DVec3 foot = corner - area * (glm::dot(corner - face.corner[0], area) / area_squared);
+    swapped ? keep_closer(best, corner, foot) : keep_closer(best, foot, corner);
+  }
+}
+
+bool side_pierces(const DVec3& from, const DVec3& to, const Triangle& triangle, const DVec3& area) {
+  const double above = glm::dot(from - triangle.corner[0], area);
+  const double below = glm::dot(to - triangle.corner[0], area);
+  if ((above > 0 && below > 0) || (above < 0 && below < 0)) return false;
+  if (above == 0 && below == 0) return over_face(triangle, area, from) || over_face(triangle, area, to);
+  return over_face(triangle, area, from + (to - from) * (above / (above - below)));
+}
+
+bool any_side_pierces(const Triangle& sides, const Triangle& triangle) {
+  const DVec3 area = triangle.area_vector();
+  for (int side = 0; side < 3; ++side)
+    if (side_pierces(sides.start(side), sides.end(side), triangle, area)) return true;
+  return false;
+}
+
+}  // namespace
+
+ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
+  ClosestPoints best{std::numeric_limits<double>::infinity(), first.corner[0], second.corner[0]};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      compare_segments(best, first.start(i), first.along(i), second.start(j), second.along(j));
+  compare_corners(best, first, second, false);
+  compare_corners(best, second, first, true);
+  return best;
+}
+
+bool triangles_cross(const Triangle& first, const Triangle& second) {
+  return any_side_pierces(first, second) || any_side_pierces(second, first);
+}
+
+}  // namespace palpate

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/mesh/mesh.h"
+
+namespace palpate {
+
+// The polar cone of a feature holds the directions u with u·d ≤ 0 for every direction d of the tangent cone
+// there: the only ones in which a local minimum distance can leave. u is in the normalised frame of the mesh,
+// of unit length.
+
+// The largest u·d over unit directions d of the tangent cone at a vertex. Not positive: u is in the polar
+// cone.
+double vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& u);
+
+// The same at an edge, for a u at right angles to it.
+double edge_violation(const Mesh& mesh, std::uint32_t edge, const DVec3& u);
+
+// Angle-weighted pseudonormals (Bærentzen & Aanæs 2005), not of unit length: u leaves the solid where u·N >
+// 0.
+DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex);
+DVec3 edge_pseudonormal(const Mesh& mesh, std::uint32_t edge);
+
+// Twice the area of a triangle along its unit normal.
+DVec3 area_vector(const Mesh& mesh, std::uint32_t triangle);
+
+// The unit normal of a triangle.
+DVec3 unit_normal(const Mesh& mesh, std::uint32_t triangle);
+
+// Fills the mesh's edge and vertex flags from its connectivity.
+void flag_features(Mesh& mesh);
+
+}  // namespace palpate

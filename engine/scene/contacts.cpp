@@ -1,0 +1,83 @@
+#include "engine/scene/contacts.h"
+
+#include <algorithm>
+
+namespace palpate {
+namespace {
+
+// Which of a triangle's three `items` is `wanted`; it is one of them.
+std::uint8_t corner_of(const TriangleIndices& items, std::uint32_t wanted) {
+  return static_cast<std::uint8_t>(std::find(items.begin(), items.end(), wanted) - items.begin());
+}
+
+SurfacePlace place_of(const Mesh& mesh, const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::kEdge: {
+      const std::uint32_t owner = mesh.owner_of_edge(feature.index);
+      return {feature.kind, corner_of(mesh.triangle_edges[owner], feature.index), mesh.source[owner]};
+    }
+    case FeatureKind::kVertex: {
+      const std::uint32_t owner = mesh.owner_of_vertex(feature.index);
+      return {feature.kind, corner_of(mesh.triangles[owner], feature.index), mesh.source[owner]};
+    }
+    case FeatureKind::kFace:
+      break;
+  }
+  return {FeatureKind::kFace, 0, mesh.source[feature.index]};
+}
+
+Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set) {
+  Contact contact;
+  contact.point_a = pair.world_from_body * lmd.point_a;
+  contact.point_b = pair.world_from_body * lmd.point_b;
+  contact.normal = pair.world_from_body.rotation * lmd.normal;
+  contact.distance = lmd.distance;
+  contact.weight = lmd.weight;
+  contact.force = spring_force({contact.point_b, contact.normal, lmd.distance, lmd.weight}, pair.law);
+  contact.body_a = pair.body_id;
+  contact.body_b = pair.tool_id;
+  contact.set = first_set + lmd.set;
+  contact.place_a = place_of(pair.body, lmd.feature_a);
+  contact.place_b = place_of(pair.tool, lmd.feature_b);
+  return contact;
+}
+
+void append_overlaps(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
+  contacts.overlap |= found.overlapping();
+  contacts.overlaps_cut |= found.overlaps_cut;
+  for (const TrianglePair& triangles : found.overlaps) {
+    if (contacts.overlaps.size() >= pair.max_overlaps) {
+      contacts.overlaps_cut = true;
+      return;
+    }
+    contacts.overlaps.push_back(
+        {pair.body_id, pair.tool_id, {pair.body.source[triangles.a], pair.tool.source[triangles.b]}});
+  }
+}
+
+}  // namespace
+
+void Contacts::clear() {
+  lmds.clear();
+  set_count = 0;
+  overlaps.clear();
+  overlap = false;
+  overlaps_cut = false;
+  min_distance = std::numeric_limits<double>::infinity();
+  wrench = {};
+  work = {};
+  search_us = 0.0;
+}
+
+void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
+  for (const Lmd& lmd : found.lmds) {
+    const Contact contact = contact_of(lmd, pair, contacts.set_count);
+    contacts.min_distance = std::min(contacts.min_distance, contact.distance);
+    contacts.wrench += wrench_about(pair.reference, contact.point_b, contact.force);
+    contacts.lmds.push_back(contact);
+  }
+  contacts.set_count += found.set_count;
+  append_overlaps(found, pair, contacts);
+}
+
+}  // namespace palpate

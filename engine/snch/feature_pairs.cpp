@@ -1,0 +1,228 @@
+#include "engine/snch/feature_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/kernel/line_pair.h"
+#include "engine/mesh/polar_cone.h"
+
+namespace palpate {
+namespace {
+
+// Points this far beyond the end of a feature, relative to its size, still count as on it: rounding must not
+// let a minimum fall between two features.
+constexpr double kEndSlack = 1e-12;
+
+// Edges that differ less than this (radians) are parallel: their minima are those of their ends.
+constexpr double kParallel = 1e-9;
+
+// Rounding of a point's coordinates, as a part of the distance that counts as touching.
+constexpr double kRoundingOfTouch = 0.2;
+
+}  // namespace
+
+// `point_first` is on the model that `first` names, `normal` points from there to the other.
+struct FeaturePairTest::Candidate {
+  const Side& first;
+  const Side& second;
+  Feature first_feature;
+  Feature second_feature;
+  DVec3 first_point;
+  DVec3 second_point;
+  DVec3 normal;
+  double distance;
+  double margin;     // distance of the points from the ends of their features
+  double tolerance;  // of a direction outside its polar cone
+  bool test_first;   // against its polar cone: a face's own normal needs none
+};
+
+FeaturePairTest::FeaturePairTest(const Model& a, const Model& b, const Placement& placement,
+                                 const Limits& limits, std::vector<Minimum>& found)
+    : placement_(placement),
+      limits_(limits),
+      a_{a.mesh(), a.tree(), false},
+      b_{b.mesh(), b.tree(), true},
+      found_(found) {}
+
+void FeaturePairTest::operator()(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
+                                 const Triangle& in_b) {
+  test_corners_and_face(b_, b, in_b, a_, a, in_a);
+  test_corners_and_face(a_, a, in_a, b_, b, in_b);
+  test_edges(a, in_a, b, in_b);
+  test_corners_and_edges(b_, b, in_b, a_, a, in_a);
+  test_corners_and_edges(a_, a, in_a, b_, b, in_b);
+  test_corners(a, in_a, b, in_b);
+}
+
+void FeaturePairTest::test_corners_and_face(const Side& corner_side, std::uint32_t corners_of,
+                                            const Triangle& corners, const Side& face_side,
+                                            std::uint32_t face, const Triangle& triangle) {
+  const unsigned owned = corner_side.tree.owned(corners_of).corners;
+  if (!owned) return;
+  const DVec3 area = triangle.area_vector();
+  const DVec3 face_normal = area / glm::length(area);
+  for (int k = 0; k < 3; ++k) {
+    if (!(owned & (1u << k))) continue;
+    const DVec3& corner = corners.corner[k];
+    const double height = glm::dot(corner - triangle.corner[0], face_normal);
+    const double distance = std::abs(height);
+    if (distance > limits_.cutoff || distance <= limits_.touch) continue;
+    if (height < 0 && !face_side.mesh.double_sided[face]) continue;
+    double margin = limits_.cutoff;
+    for (int side = 0; side < 3; ++side) {
+      const DVec3 along = triangle.along(side);
+      const double length = glm::length(along);
+      const double inside = glm::dot(glm::cross(face_normal, along), corner - triangle.start(side)) / length;
+      margin = std::min(margin, inside + kEndSlack * length);
+    }
+    if (margin < 0) continue;
+    Candidate candidate{face_side,
+                        corner_side,
+                        {FeatureKind::kFace, face},
+                        {FeatureKind::kVertex, corner_side.mesh.triangles[corners_of][k]},
+                        corner - face_normal * height,
+                        corner,
+                        height < 0 ? -face_normal : face_normal,
+                        distance,
+                        margin,
+                        limits_.parallel_tolerance,
+                        false};
+    admit(candidate);
+  }
+}
+
+void FeaturePairTest::test_edges(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
+                                 const Triangle& in_b) {
+  const unsigned owned_a = a_.tree.owned(a).sides, owned_b = b_.tree.owned(b).sides;
+  for (int i = 0; i < 3; ++i) {
+    if (!(owned_a & (1u << i))) continue;
+    for (int j = 0; j < 3; ++j) {
+      if (!(owned_b & (1u << j))) continue;
+      const DVec3 u = in_a.along(i), v = in_b.along(j);
+      const LinePair lines(in_a.start(i), u, in_b.start(j), v);
+      if (!lines.inclined(u, v, kParallel)) continue;
+      const double end = std::min(std::min(lines.s, 1 - lines.s) * glm::length(u),
+                                  std::min(lines.t, 1 - lines.t) * glm::length(v));
+      if (!(end >= -kEndSlack * (glm::length(u) + glm::length(v)))) continue;
+      const DVec3 unit = lines.normal / std::sqrt(lines.normal_squared);
+      const double height = glm::dot(in_b.start(j) - in_a.start(i), unit);
+      const double distance = std::abs(height);
+      if (distance > limits_.cutoff || distance <= limits_.touch) continue;
+      Candidate candidate{a_,
+                          b_,
+                          {FeatureKind::kEdge, a_.mesh.triangle_edges[a][i]},
+                          {FeatureKind::kEdge, b_.mesh.triangle_edges[b][j]},
+                          in_a.start(i) + lines.s * u,
+                          in_b.start(j) + lines.t * v,
+                          height < 0 ? -unit : unit,
+                          distance,
+                          end,
+                          limits_.parallel_tolerance,
+                          true};
+      admit(candidate);
+    }
+  }
+}
+
+void FeaturePairTest::test_corners_and_edges(const Side& corner_side, std::uint32_t corners_of,
+                                             const Triangle& corners, const Side& edge_side,
+                                             std::uint32_t edges_of, const Triangle& edges) {
+  const unsigned owned_corners = corner_side.tree.owned(corners_of).corners;
+  const unsigned owned_sides = edge_side.tree.owned(edges_of).sides;
+  if (!owned_corners || !owned_sides) return;
+  for (int j = 0; j < 3; ++j) {
+    if (!(owned_sides & (1u << j))) continue;
+    const DVec3 along = edges.along(j);
+    const double length = glm::length(along);
+    for (int k = 0; k < 3; ++k) {
+      if (!(owned_corners & (1u << k))) continue;
+      const DVec3& corner = corners.corner[k];
+      const double place = glm::dot(corner - edges.start(j), along) / length;
+      const double end = std::min(place, length - place);
+      if (end < -kEndSlack * length) continue;
+      const DVec3 foot = edges.start(j) + along * (place / length);
+      const DVec3 between = corner - foot;
+      const double distance = glm::length(between);
+      if (distance > limits_.cutoff || distance <= limits_.touch) continue;
+      Candidate candidate{edge_side,
+                          corner_side,
+                          {FeatureKind::kEdge, edge_side.mesh.triangle_edges[edges_of][j]},
+                          {FeatureKind::kVertex, corner_side.mesh.triangles[corners_of][k]},
+                          foot,
+                          corner,
+                          between / distance,
+                          distance,
+                          end,
+                          limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
+                          true};
+      admit(candidate);
+    }
+  }
+}
+
+void FeaturePairTest::test_corners(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
+                                   const Triangle& in_b) {
+  const unsigned owned_a = a_.tree.owned(a).corners, owned_b = b_.tree.owned(b).corners;
+  for (int i = 0; i < 3; ++i) {
+    if (!(owned_a & (1u << i))) continue;
+    for (int j = 0; j < 3; ++j) {
+      if (!(owned_b & (1u << j))) continue;
+      const DVec3 between = in_b.corner[j] - in_a.corner[i];
+      const double distance = glm::length(between);
+      if (distance > limits_.cutoff || distance <= limits_.touch) continue;
+      Candidate candidate{a_,
+                          b_,
+                          {FeatureKind::kVertex, a_.mesh.triangles[a][i]},
+                          {FeatureKind::kVertex, b_.mesh.triangles[b][j]},
+                          in_a.corner[i],
+                          in_b.corner[j],
+                          between / distance,
+                          distance,
+                          limits_.cutoff,
+                          limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
+                          true};
+      admit(candidate);
+    }
+  }
+}
+
+// Section by section the definition of a local minimum distance: minimal on both sides, outward on both
+// sides.
+bool FeaturePairTest::admit(Candidate& candidate) const {
+  const Candidate& c = candidate;
+  const double second = violation(c.second, c.second_feature, -c.normal);
+  if (second > c.tolerance) return false;
+  const double first = c.test_first ? violation(c.first, c.first_feature, c.normal) : second;
+  if (first > c.tolerance) return false;
+  if (!outward(c.first, c.first_feature, c.normal) || !outward(c.second, c.second_feature, -c.normal))
+    return false;
+
+  const double most = std::max(first, second);
+  const bool alone = most < -c.tolerance && c.margin > 4 * c.tolerance * c.distance;
+  const bool swapped = c.first.second;
+  found_.push_back({swapped ? c.second_feature : c.first_feature,
+                    swapped ? c.first_feature : c.second_feature, swapped ? c.second_point : c.first_point,
+                    swapped ? c.first_point : c.second_point, swapped ? -c.normal : c.normal, c.distance,
+                    most, alone});
+  return true;
+}
+
+double FeaturePairTest::violation(const Side& side, Feature feature, const DVec3& u) const {
+  const DVec3 own = side.second ? placement_.into_b(u) : u;
+  return feature.kind == FeatureKind::kVertex ? vertex_violation(side.mesh, feature.index, own)
+                                              : edge_violation(side.mesh, feature.index, own);
+}
+
+bool FeaturePairTest::outward(const Side& side, Feature feature, const DVec3& u) const {
+  if (feature.kind == FeatureKind::kFace) return true;  // the caller took its normal
+  const bool is_vertex = feature.kind == FeatureKind::kVertex;
+  const FeatureFlags flags =
+      is_vertex ? side.mesh.vertex_flags[feature.index] : side.mesh.edge_flags[feature.index];
+  if (!flags.outward) return true;
+  const DVec3 own = side.second ? placement_.into_b(u) : u;
+  const DVec3 normal =
+      is_vertex ? vertex_pseudonormal(side.mesh, feature.index) : edge_pseudonormal(side.mesh, feature.index);
+  return glm::dot(own, normal) > 0;
+}
+
+}  // namespace palpate

@@ -1,0 +1,138 @@
+#include "engine/snch/lmd_search.h"
+
+#include <algorithm>
+
+#include "engine/kernel/triangle_pair.h"
+#include "engine/snch/feature_pairs.h"
+#include "engine/snch/node_pair.h"
+#include "engine/snch/plateau.h"
+
+namespace palpate {
+namespace {
+
+// Surfaces no farther apart than this (A's normalised frame, coordinates of about 1) touch: it is five times
+// the rounding of a transformed point.
+constexpr double kTouch = 1e-14;
+
+// Pairs of nodes still to be visited, and for what.
+struct NodePair {
+  std::uint32_t a;
+  std::uint32_t b;
+  bool minimum;
+  bool contact;
+};
+
+// One traversal: carries the state that its small steps share.
+class Traversal {
+ public:
+  Traversal(const Model& a, const Model& b, const Placement& placement, double cutoff,
+            const SearchOptions& options, std::vector<NodePair>& stack, std::vector<Minimum>& minima,
+            LmdSet& found)
+      : a_(a.tree()),
+        b_(b.tree()),
+        a_mesh_(a.mesh()),
+        b_mesh_(b.mesh()),
+        placement_(placement),
+        touch_(touch(placement)),
+        max_overlaps_(options.max_overlaps),
+        node_test_(placement, cutoff),
+        feature_test_(a, b, placement, {cutoff, touch_, options.parallel_tolerance}, minima),
+        stack_(stack),
+        found_(found) {}
+
+  static double touch(const Placement& placement) { return kTouch * std::max(1.0, placement.ratio); }
+
+  void run() {
+    stack_.assign(1, {0, 0, true, true});
+    while (!stack_.empty()) {
+      const NodePair pair = stack_.back();
+      stack_.pop_back();
+      visit(pair);
+    }
+  }
+
+ private:
+  void visit(NodePair pair) {
+    ++found_.work.node_pairs;
+    const Node& a = a_.node(pair.a);
+    const Node& b = b_.node(pair.b);
+    const NodePairTest::Verdict verdict = node_test_(a, b);
+    pair.minimum &= verdict.minimum;
+    pair.contact &= verdict.contact && !found_.overlaps_cut;
+    if (!pair.minimum && !pair.contact) return;
+    if (a.is_leaf() && b.is_leaf()) return test_triangles(a.triangle(), b.triangle(), pair);
+    if (b.is_leaf() || (!a.is_leaf() && a.radius > static_cast<float>(placement_.ratio) * b.radius)) {
+      stack_.push_back({a.second_child(), pair.b, pair.minimum, pair.contact});
+      stack_.push_back({pair.a + 1, pair.b, pair.minimum, pair.contact});
+    } else {
+      stack_.push_back({pair.a, b.second_child(), pair.minimum, pair.contact});
+      stack_.push_back({pair.a, pair.b + 1, pair.minimum, pair.contact});
+    }
+  }
+
+  void test_triangles(std::uint32_t a, std::uint32_t b, const NodePair& pair) {
+    ++found_.work.triangle_pairs;
+    const Triangle in_a = triangle_of(a_mesh_, a);
+    const Triangle in_b = triangle_of(b_mesh_, b, placement_);
+    if (pair.contact && touching(in_a, in_b)) add_overlap(a, b);
+    if (pair.minimum) feature_test_(a, in_a, b, in_b);
+  }
+
+  bool touching(const Triangle& in_a, const Triangle& in_b) const {
+    return triangles_cross(in_a, in_b) || closest_points(in_a, in_b).squared_distance <= touch_ * touch_;
+  }
+
+  void add_overlap(std::uint32_t a, std::uint32_t b) {
+    if (found_.overlaps.size() < max_overlaps_) return found_.overlaps.push_back({a, b});
+    found_.overlaps_cut = true;
+  }
+
+  const Tree& a_;
+  const Tree& b_;
+  const Mesh& a_mesh_;
+  const Mesh& b_mesh_;
+  const Placement& placement_;
+  const double touch_;
+  const std::size_t max_overlaps_;
+  const NodePairTest node_test_;
+  FeaturePairTest feature_test_;
+  std::vector<NodePair>& stack_;
+  LmdSet& found_;
+};
+
+void to_metres(const ModelFrame& frame, LmdSet& found) {
+  for (Lmd& lmd : found.lmds) {
+    lmd.point_a = frame.metres(lmd.point_a);
+    lmd.point_b = frame.metres(lmd.point_b);
+    lmd.distance *= frame.scale;
+  }
+}
+
+}  // namespace
+
+struct LmdSearch::Memory {
+  std::vector<NodePair> stack;
+  std::vector<Minimum> minima;
+  PlateauGrouper grouper;
+};
+
+LmdSearch::LmdSearch() : memory_(std::make_unique<Memory>()) {}
+LmdSearch::~LmdSearch() = default;
+LmdSearch::LmdSearch(LmdSearch&&) noexcept = default;
+LmdSearch& LmdSearch::operator=(LmdSearch&&) noexcept = default;
+
+void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
+                    LmdSet& found) {
+  const ModelFrame& frame = a.mesh().frame;
+  const Placement placement(frame, b.mesh().frame, a_from_b);
+  found.clear();
+  memory_->minima.clear();
+  Traversal(a, b, placement, options.cutoff / frame.scale, options, memory_->stack, memory_->minima, found)
+      .run();
+  std::sort(found.overlaps.begin(), found.overlaps.end());
+  memory_->grouper.group(a.mesh(), b.mesh(), {Traversal::touch(placement), options.parallel_tolerance},
+                         memory_->minima, found);
+  to_metres(frame, found);
+}
+
+}  // namespace palpate

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/math/vector.h"
+#include "engine/mesh/mesh.h"
+
+namespace palpate {
+
+// A pair of features that holds a local minimum distance, as the leaf tests find it: one point of what may be
+// a plateau. A's normalised frame.
+struct Minimum {
+  Feature feature_a;
+  Feature feature_b;
+  DVec3 point_a;
+  DVec3 point_b;
+  DVec3 normal;  // unit vector from point_a to point_b
+  double distance;
+  double violation;  // largest lean outside a polar cone: within the tolerance
+  bool alone;  // so far inside its polar cones and its features that no other can be of the same plateau
+};
+
+}  // namespace palpate

@@ -1,0 +1,132 @@
+#include "engine/snch/tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/clock.h"
+#include "engine/math/box.h"
+#include "engine/snch/polar_directions.h"
+#include "engine/snch/topology.h"
+
+namespace palpate {
+namespace {
+
+// Covers the rounding of a cone to float32 and of its tests, and the widest parallel tolerance of a search.
+constexpr double kConeMargin = 4e-5;
+
+// Relative growth of float32 bounds that covers their rounding.
+constexpr double kOutward = 1.0 + 1e-6;
+
+std::vector<std::uint32_t> leaf_triangles(const std::vector<TopologyNode>& topology) {
+  std::vector<std::uint32_t> order;
+  order.reserve(topology.size() / 2 + 1);
+  for (const TopologyNode& node : topology)
+    if (node.link & Node::kLeaf) order.push_back(node.link & ~Node::kLeaf);
+  return order;
+}
+
+std::uint8_t sweep(double component, double angle) {
+  const double reach = std::cos(std::max(0.0, std::acos(std::clamp(component, -1.0, 1.0)) - angle));
+  return static_cast<std::uint8_t>(std::clamp(std::ceil(255.0 * reach + 1e-3), 0.0, 255.0));
+}
+
+void set_cone(Node& node, const Cone& cone) {
+  const double angle =
+      cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + kConeMargin;
+  const bool whole = angle > 0.5 * std::numbers::pi;
+  node.cone_axis = Vec3(cone.axis);
+  node.cone_cosine = whole ? -1.0f : static_cast<float>(std::cos(angle));
+  node.cone_sine = whole ? 0.0f : static_cast<float>(std::sin(angle));
+  for (int k = 0; k < 3; ++k) {
+    node.sweep_high[k] = whole ? 255 : sweep(cone.axis[k], angle);
+    node.sweep_low[k] = whole ? 255 : sweep(-cone.axis[k], angle);
+  }
+}
+
+class NodeFiller {
+ public:
+  NodeFiller(const Mesh& mesh, const std::vector<TopologyNode>& topology, std::vector<Node>& nodes)
+      : mesh_(mesh),
+        topology_(topology),
+        order_(leaf_triangles(topology)),
+        directions_(mesh, order_),
+        nodes_(nodes) {}
+
+  void fill() {
+    nodes_.resize(topology_.size());
+    auto rank = static_cast<std::uint32_t>(order_.size());
+    for (auto i = static_cast<std::uint32_t>(topology_.size()); i-- > 0;) {
+      if (topology_[i].link & Node::kLeaf) --rank;
+      const std::uint32_t leaves = (topology_[i].end - i + 1) / 2;
+      nodes_[i].link = topology_[i].link;
+      fill_bounds(nodes_[i], rank, rank + leaves);
+      fill_cone(i, rank, rank + leaves);
+    }
+  }
+
+ private:
+  // `rank` of an inner node is that of its first leaf: it is visited right after that leaf.
+  void fill_bounds(Node& node, std::uint32_t first, std::uint32_t end) const {
+    Box box;
+    for_corners(first, end, [&](const DVec3& corner) { box.grow(corner); });
+    node.centre = Vec3(box.centre());
+    const DVec3 centre(node.centre);
+    node.half = Vec3(kOutward * glm::max(box.high - centre, centre - box.low));
+    double squared = 0.0;
+    for_corners(first, end, [&](const DVec3& corner) {
+      squared = std::max(squared, glm::dot(corner - centre, corner - centre));
+    });
+    node.radius = static_cast<float>(kOutward * std::sqrt(squared));
+  }
+
+  template <class Visit>
+  void for_corners(std::uint32_t first, std::uint32_t end, const Visit& visit) const {
+    for (std::uint32_t rank = first; rank < end; ++rank)
+      for (std::uint32_t vertex : mesh_.triangles[order_[rank]]) visit(mesh_.position(vertex));
+  }
+
+  void fill_cone(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
+    set_cone(nodes_[i], unbounded(i, first) ? Cone::whole() : cone_around(directions_.of(first, end)));
+  }
+
+  bool unbounded(std::uint32_t i, std::uint32_t first) const {
+    if (nodes_[i].is_leaf()) return directions_.unbounded[first] != 0;
+    return nodes_[i + 1].cone_cosine < 0 || nodes_[nodes_[i].second_child()].cone_cosine < 0;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<TopologyNode>& topology_;
+  const std::vector<std::uint32_t> order_;
+  const PolarDirections directions_;
+  std::vector<Node>& nodes_;
+};
+
+std::vector<OwnedFeatures> owned_features(const Mesh& mesh) {
+  std::vector<OwnedFeatures> owned(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < owned.size(); ++t) {
+    unsigned corners = 0, sides = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = mesh.triangles[t][k], edge = mesh.triangle_edges[t][k];
+      if (mesh.owner_of_vertex(vertex) == t && mesh.vertex_flags[vertex].active) corners |= 1u << k;
+      if (mesh.owner_of_edge(edge) == t && mesh.edge_flags[edge].active) sides |= 1u << k;
+    }
+    owned[t] = {static_cast<std::uint8_t>(corners & 7u), static_cast<std::uint8_t>(sides & 7u)};
+  }
+  return owned;
+}
+
+}  // namespace
+
+Tree Tree::build(const Mesh& mesh) {
+  const Stopwatch watch;
+  Tree tree;
+  const std::vector<TopologyNode> topology = build_topology(mesh);
+  NodeFiller(mesh, topology, tree.nodes_).fill();
+  tree.owned_ = owned_features(mesh);
+  tree.build_us_ = watch.elapsed_us();
+  return tree;
+}
+
+}  // namespace palpate

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace palpate::cli {
+
+struct InfoArguments {
+  std::string model;
+  bool json = false;
+};
+
+struct QueryArguments {
+  std::string a;
+  std::string b;
+  std::array<double, 7> pose{};  // px py pz qx qy qz qw: B's frame in A's, metres
+  double cutoff = 0.0;           // metres
+  double stiffness = 1000.0;     // N/m
+  bool json = false;
+};
+
+struct RunArguments {
+  std::string a;
+  std::string b;
+  std::string trajectory;
+  double cutoff = 0.0;        // metres
+  double stiffness = 1000.0;  // N/m
+  std::string mode = "global";
+  std::string law = "springs";
+  std::string out;  // empty: no file
+  bool json = false;
+};
+
+// Each prints to standard output and throws Failure.
+void run_info(const InfoArguments& arguments);
+void run_query(const QueryArguments& arguments);
+void run_trajectory(const RunArguments& arguments);
+
+}  // namespace palpate::cli

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "palpate/palpate.h"
+#include "samples/cli/commands.h"
+#include "samples/cli/failure.h"
+
+namespace palpate::cli {
+namespace {
+
+void add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App* command = app.add_subcommand("info", "Describe a model and what was repaired in it");
+  command->add_option("model", arguments.model, "A .gltf or .glb file")->required();
+  command->add_flag("--json", arguments.json, "Print JSON");
+  command->callback([&] { run_info(arguments); });
+}
+
+void add_query(CLI::App& app, QueryArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("query", "Find all local minimum distances between two models at one pose");
+  command->add_option("a", arguments.a, "The model that stands still")->required();
+  command->add_option("b", arguments.b, "The model that is placed by --pose")->required();
+  command->add_option("--pose", arguments.pose, "px py pz qx qy qz qw: B's frame in A's, metres")->required();
+  command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
+      ->required();
+  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")->capture_default_str();
+  command->add_flag("--json", arguments.json, "Print JSON");
+  command->callback([&] { run_query(arguments); });
+}
+
+void add_run(CLI::App& app, RunArguments& arguments) {
+  CLI::App* command = app.add_subcommand("run", "Move one model along a trajectory past another");
+  command->add_option("a", arguments.a, "The model that stands still")->required();
+  command->add_option("b", arguments.b, "The model that moves")->required();
+  command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw")->required();
+  command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
+      ->required();
+  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")->capture_default_str();
+  command->add_option("--mode", arguments.mode, "global: the complete set every tick")->capture_default_str();
+  command->add_option("--law", arguments.law, "springs")->capture_default_str();
+  command->add_option("--out", arguments.out, "Write a CSV row for each tick");
+  command->add_flag("--json", arguments.json, "Print the summary as JSON");
+  command->callback([&] { run_trajectory(arguments); });
+}
+
+int complain(std::string sentence) {
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  std::cerr << "palpate: " << sentence << '\n';
+  return 1;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Finds every contact between triangle models");
+  app.name("palpate");
+  app.set_version_flag("--version", plp_version_string());
+  app.require_subcommand(1);
+  InfoArguments info;
+  QueryArguments query;
+  RunArguments trajectory;
+  add_info(app, info);
+  add_query(app, query);
+  add_run(app, trajectory);
+  try {
+    app.parse(argc, argv);
+    std::cout.flush();
+    if (!std::cout) throw Failure("standard output: cannot be written");
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    // Help and version come as errors of code 0.
+    return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what());
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace palpate::cli
+
+int main(int argc, char** argv) {
+  return palpate::cli::run(argc, argv);
+}

@@ -1,0 +1,49 @@
+#include "samples/cli/tick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samples/cli/numbers.h"
+
+namespace palpate::cli {
+namespace {
+
+void write_row(const Tick& tick, std::ostream& out) {
+  out << exact_text(tick.seconds) << ',' << tick.lmds << ',' << exact_text(tick.min_distance);
+  for (const double component : tick.wrench.force) out << ',' << exact_text(component);
+  for (const double component : tick.wrench.torque) out << ',' << exact_text(component);
+  out << ',' << exact_text(tick.local_us) << ',' << exact_text(tick.global_us) << ',' << tick.pairs << ','
+      << tick.age_ticks << '\n';
+}
+
+// The least value that `share` of all do not exceed.
+double percentile(const std::vector<double>& ascending, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(ascending.size())));
+  return ascending[std::max<std::size_t>(rank, 1) - 1];
+}
+
+}  // namespace
+
+void write_csv(const std::vector<Tick>& ticks, std::ostream& out) {
+  out << "t,lmds,min_distance,fx,fy,fz,tx,ty,tz,local_us,global_us,pairs,age_ticks\n";
+  for (const Tick& tick : ticks) write_row(tick, out);
+}
+
+RunSummary summary_of(const std::vector<Tick>& ticks) {
+  RunSummary summary;
+  summary.ticks = ticks.size();
+  std::vector<double> local_us;
+  for (const Tick& tick : ticks) {
+    summary.ticks_in_contact += tick.lmds > 0;
+    summary.most_lmds = std::max(summary.most_lmds, tick.lmds);
+    local_us.push_back(tick.local_us);
+  }
+  std::sort(local_us.begin(), local_us.end());
+  summary.local_us_p50 = percentile(local_us, 0.5);
+  summary.local_us_p99 = percentile(local_us, 0.99);
+  summary.local_us_p999 = percentile(local_us, 0.999);
+  summary.local_us_max = local_us.back();
+  return summary;
+}
+
+}  // namespace palpate::cli

@@ -1,0 +1,227 @@
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "tests/capi/shapes.h"
+
+namespace palpate::test {
+namespace {
+
+plp_model_info info_of(plp_model model) {
+  plp_model_info info;
+  plp_model_info_init(&info);
+  EXPECT_EQ(plp_model_get_info(model, &info), PLP_OK);
+  return info;
+}
+
+plp_result create(const plp_triangles& triangles, const plp_model_options* options = nullptr) {
+  plp_model model = nullptr;
+  const plp_result result = plp_model_create_from_triangles(&triangles, options, &model);
+  plp_model_release(model);
+  return result;
+}
+
+// Rows of three numbers, `stride` bytes apart, beginning at an odd address.
+template <class Number, class Row>
+std::vector<unsigned char> odd_rows(const std::vector<Row>& rows, std::size_t stride) {
+  std::vector<unsigned char> bytes(1 + stride * rows.size(), 0xee);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Number number = static_cast<Number>(rows[i][k]);
+      std::memcpy(&bytes[1 + i * stride + k * sizeof number], &number, sizeof number);
+    }
+  }
+  return bytes;
+}
+
+class Triangles : public testing::Test {
+ protected:
+  void expect_box(const plp_triangles& triangles) {
+    const TestModel model(triangles);
+    const plp_model_info info = info_of(model.handle);
+    EXPECT_EQ(info.searched.triangles, 12u);
+    EXPECT_EQ(info.searched.vertices, 8u);
+    EXPECT_EQ(info.searched.watertight, 1);
+    EXPECT_EQ(info.source.orientation, PLP_ORIENTATION_OUTWARD);
+    EXPECT_EQ(info.bounds_min[0], -1.0);
+    EXPECT_EQ(info.bounds_max[1], 2.0);
+    EXPECT_EQ(info.bounds_max[2], 3.0);
+  }
+
+  Shape box_ = box(1.0f, 2.0f, 3.0f);
+  plp_triangles triangles_ = triangles_of(box_);
+};
+
+TEST_F(Triangles, Plain) {
+  expect_box(triangles_);
+}
+
+TEST_F(Triangles, EveryNumberTypeAtOddAddressesAndStrides) {
+  const auto floats = odd_rows<float>(box_.positions, 29);
+  const auto doubles = odd_rows<double>(box_.positions, 31);
+  const auto bytes = odd_rows<std::uint8_t>(box_.triangles, 5);
+  const auto shorts = odd_rows<std::uint16_t>(box_.triangles, 9);
+  const auto words = odd_rows<std::uint32_t>(box_.triangles, 13);
+  const std::pair<plp_type, const std::vector<unsigned char>*> indices[] = {
+      {PLP_TYPE_UINT8, &bytes}, {PLP_TYPE_UINT16, &shorts}, {PLP_TYPE_UINT32, &words}};
+  const std::size_t index_strides[] = {5, 9, 13};
+  for (int i = 0; i < 3; ++i) {
+    for (const bool wide : {false, true}) {
+      triangles_.positions = (wide ? doubles : floats).data() + 1;
+      triangles_.position_type = wide ? PLP_TYPE_FLOAT64 : PLP_TYPE_FLOAT32;
+      triangles_.position_stride = wide ? 31 : 29;
+      triangles_.indices = indices[i].second->data() + 1;
+      triangles_.index_type = indices[i].first;
+      triangles_.index_stride = index_strides[i];
+      expect_box(triangles_);
+    }
+  }
+}
+
+TEST_F(Triangles, WithoutIndices) {
+  std::vector<std::array<float, 3>> corners;
+  for (const auto& triangle : box_.triangles) {
+    for (const std::uint32_t vertex : triangle) corners.push_back(box_.positions[vertex]);
+  }
+  triangles_.positions = corners.data();
+  triangles_.vertex_count = corners.size();
+  triangles_.indices = nullptr;
+  expect_box(triangles_);
+  triangles_.triangle_count = 0;
+  expect_box(triangles_);
+  triangles_.index_type = PLP_TYPE_NONE;
+  expect_box(triangles_);
+  triangles_.triangle_count = 13;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  triangles_.triangle_count = 0;
+  triangles_.vertex_count = 35;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(Triangles, IndexOutOfRangeNamesItsTriangle) {
+  box_.triangles[7][1] = 8;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(std::string(plp_last_error()).find("triangle 7"), std::string::npos) << plp_last_error();
+}
+
+TEST_F(Triangles, TypesAreChecked) {
+  for (const int bad : {0, 3, 6, -1}) {
+    triangles_.position_type = static_cast<plp_type>(bad);
+    EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT) << bad;
+  }
+  triangles_.position_type = PLP_TYPE_FLOAT32;
+  for (const int bad : {0, 1, 2, 99}) {
+    triangles_.index_type = static_cast<plp_type>(bad);
+    EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT) << bad;
+  }
+}
+
+TEST_F(Triangles, ImpossibleBuffersAreRefused) {
+  triangles_.position_stride = 11;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  triangles_.position_stride = SIZE_MAX;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  triangles_.position_stride = 0;
+  triangles_.index_stride = SIZE_MAX / 4;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  triangles_.index_stride = 0;
+  triangles_.vertex_count = SIZE_MAX;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_LIMIT);
+  triangles_.vertex_count = 8;
+  triangles_.triangle_count = SIZE_MAX;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_LIMIT);
+  triangles_.triangle_count = 12;
+  triangles_.positions = nullptr;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+  triangles_.positions = box_.positions.data();
+  triangles_.reserved = 1;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(Triangles, LimitOfTheOptions) {
+  plp_model_options options;
+  plp_model_options_init(&options);
+  options.max_triangles = 11;
+  EXPECT_EQ(create(triangles_, &options), PLP_ERROR_LIMIT);
+  options.max_triangles = 12;
+  EXPECT_EQ(create(triangles_, &options), PLP_OK);
+}
+
+TEST_F(Triangles, CoordinatesThatAreNotFinite) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    box_.positions[3][1] = bad;
+    EXPECT_EQ(create(triangles_), PLP_ERROR_NON_FINITE);
+  }
+}
+
+TEST_F(Triangles, NothingToTouch) {
+  triangles_.triangle_count = 0;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_NO_TRIANGLES);
+  const std::array<std::uint32_t, 3> line = {1, 1, 2};
+  triangles_.indices = &line;
+  triangles_.triangle_count = 1;
+  EXPECT_EQ(create(triangles_), PLP_ERROR_NO_TRIANGLES);
+}
+
+TEST_F(Triangles, MirroredSpaceTurnsTheWinding) {
+  // The box in a space whose x runs the other way: seen there, the same winding faces inward.
+  for (auto& position : box_.positions) position[0] = -position[0];
+  for (auto& triangle : box_.triangles) std::swap(triangle[1], triangle[2]);
+  triangles_.space = {{-1, 2, 3}, 0, 1.0};
+  expect_box(triangles_);
+}
+
+TEST_F(Triangles, UnitsAndAxes) {
+  // A space in centimetres with z up: its x y z are Palpate's x −z y.
+  for (auto& position : box_.positions) position = {100.0f * position[0], -100.0f * position[2], 100.0f * position[1]};
+  triangles_.space = {{1, -3, 2}, 0, 0.01};
+  const TestModel model(triangles_);
+  const plp_model_info info = info_of(model.handle);
+  EXPECT_EQ(info.source.orientation, PLP_ORIENTATION_OUTWARD);
+  EXPECT_DOUBLE_EQ(info.bounds_max[0], 1.0);
+  EXPECT_DOUBLE_EQ(info.bounds_max[1], 2.0);
+  EXPECT_DOUBLE_EQ(info.bounds_max[2], 3.0);
+}
+
+TEST_F(Triangles, FlagsReachTheMesh) {
+  for (auto& triangle : box_.triangles) std::swap(triangle[1], triangle[2]);
+  const TestModel turned(triangles_);
+  EXPECT_EQ(info_of(turned.handle).source.orientation, PLP_ORIENTATION_INWARD);
+  EXPECT_EQ(info_of(turned.handle).searched.orientation, PLP_ORIENTATION_OUTWARD);
+  EXPECT_EQ(info_of(turned.handle).flipped_components, 1u);
+
+  plp_model_options options;
+  plp_model_options_init(&options);
+  options.flags = PLP_MODEL_DOUBLE_SIDED | PLP_MODEL_KEEP_WINDING;
+  plp_model kept = nullptr;
+  ASSERT_EQ(plp_model_create_from_triangles(&triangles_, &options, &kept), PLP_OK);
+  EXPECT_EQ(info_of(kept).searched.orientation, PLP_ORIENTATION_INWARD);
+  EXPECT_EQ(info_of(kept).reversed_triangles, 0u);
+  plp_model_release(kept);
+}
+
+TEST_F(Triangles, TreeIsBuiltOnDemandOnly) {
+  const TestModel model(triangles_);
+  EXPECT_EQ(info_of(model.handle).tree_nodes, 0u);
+  EXPECT_GT(info_of(model.handle).mesh_bytes, 0u);
+  EXPECT_EQ(plp_model_prepare(model.handle), PLP_OK);
+  EXPECT_GT(info_of(model.handle).tree_nodes, 0u);
+  EXPECT_GT(info_of(model.handle).tree_bytes, 0u);
+}
+
+TEST_F(Triangles, NotesSayWhatWasRepaired) {
+  box_.triangles.push_back({0, 0, 1});
+  triangles_ = triangles_of(box_);
+  const TestModel model(triangles_);
+  const plp_model_info info = info_of(model.handle);
+  EXPECT_EQ(info.degenerate_triangles, 1u);
+  ASSERT_GT(info.note_count, 0u);
+  for (std::uint32_t i = 0; i < info.note_count; ++i) {
+    ASSERT_NE(plp_model_note(model.handle, i), nullptr);
+    EXPECT_GT(std::strlen(plp_model_note(model.handle, i)), 0u);
+  }
+  EXPECT_EQ(plp_model_note(model.handle, info.note_count), nullptr);
+}
+
+}  // namespace
+}  // namespace palpate::test

@@ -1,0 +1,34 @@
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh and samples/run.sh source this file.
+
+palpate_build_packages=(
+  g++ cmake ninja-build
+  libtinygltf-dev libglm-dev libembree-dev libdraco-dev libmeshoptimizer-dev
+  libcli11-dev nlohmann-json3-dev
+)
+palpate_test_packages=(
+  libgtest-dev clang-format-14 binutils pkg-config python3 python3-numpy
+)
+
+missing_packages() {
+  local package
+  for package in "$@"; do
+    [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || echo "$package"
+  done
+}
+
+# Installs those of the named packages that are not installed. Without any to install, apt is not touched.
+install_missing() {
+  local -a missing as_root=()
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]})) || return 0
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      echo "These packages are missing; install them as root: apt-get install ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
