@@ -10,10 +10,10 @@ import sys
 from pathlib import Path
 
 # Of the gear in the crankshaft's frame, metres; the cutoff is wide, so that the lines are long enough to see.
-POSE = (0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 1.0)
+POSE = (-0.005, 0.0703, -0.02, -0.5, 0.0, 0.0, math.sqrt(0.75))
 CUTOFF = 0.015
-YAW, PITCH = math.radians(-35), math.radians(25)
-WIDTH, MARGIN = 1200, 24  # of the drawing; its height follows
+YAW, PITCH = math.radians(-35), math.radians(30)
+WIDTH, MARGIN = 1100, 24  # of the drawing; its height follows
 SHADES = 12
 COLOURS = ((104, 128, 160), (196, 164, 112))  # crankshaft, gear
 LIGHT = (0.35, 0.75, 0.56)

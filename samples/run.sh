@@ -35,4 +35,4 @@ fi
 "$palpate" info crankshaft_45k.glb
 "$palpate" info gear_6k.glb
 # The gear rides beside a web of the crankshaft; the cutoff is 1 % of the crankshaft's diagonal.
-"$palpate" query crankshaft_45k.glb gear_6k.glb --pose 0 0.1 0 0 0 0 1 --cutoff 0.003
+"$palpate" query crankshaft_45k.glb gear_6k.glb --pose -0.005 0.0703 -0.02 -0.5 0 0 0.866 --cutoff 0.003

@@ -25,6 +25,8 @@ struct QueryObject {
 };
 
 struct SceneObject {
+  SceneObject(const Space& its_space, const SceneOptions& options) : space(its_space), scene(options) {}
+
   Space space;
   Scene scene;
   ContactArrays arrays;

@@ -38,7 +38,7 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.cutoff = cutoff_in(space, options.cutoff, "options->cutoff");
   scene.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
   scene.max_overlaps = options.max_overlaps;
-  return std::make_unique<SceneObject>(space, Scene(scene), ContactArrays());
+  return std::make_unique<SceneObject>(space, scene);
 }
 
 HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {

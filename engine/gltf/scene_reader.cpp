@@ -29,7 +29,8 @@ GltfScene SceneReader::read() && {
     within("node", static_cast<std::size_t>(node), [&] { read_node(node); });
   if (scene_.instances.empty()) {
     if (meshes_.skipped() == 0) fail(ErrorCode::kNoTriangles, "the scene has no triangles");
-    fail(ErrorCode::kNoTriangles, "the scene has no triangles (primitives of points or lines: ", meshes_.skipped(), ")");
+    fail(ErrorCode::kNoTriangles,
+         "the scene has no triangles (primitives of points or lines: ", meshes_.skipped(), ")");
   }
   return std::move(scene_);
 }

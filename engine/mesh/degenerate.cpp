@@ -19,7 +19,9 @@ std::vector<std::uint32_t> slivers_of(const CleanTriangles& surface) {
 }  // namespace
 
 bool has_no_area(const std::vector<Vec3>& positions, const TriangleIndices& triangle) {
-  return area_vector(positions, triangle) == DVec3(0.0);
+  // Not by glm's ==, which compares bits and so takes −0 for something else than 0.
+  const DVec3 area = area_vector(positions, triangle);
+  return area.x == 0 && area.y == 0 && area.z == 0;
 }
 
 void drop_degenerate(CleanTriangles& surface, MeshReport& report) {

@@ -15,6 +15,10 @@ namespace {
 // each other.
 constexpr double kLeanX = 0.2871937, kLeanY = 0.1730519;
 
+// More than rounding moves a probe across a side, for coordinates of order one. A tie that is broken in
+// favour of a triangle must find that triangle among those that are looked at.
+constexpr double kTie = 1e-12;
+
 DVec3 sheared(const DVec3& p) {
   return {p.x + kLeanX * p.z, p.y + kLeanY * p.z, p.z};
 }
@@ -73,8 +77,8 @@ std::vector<int> winding_numbers(const ClosedSurface& surface, std::span<const D
       triangle[k] = {vertex, sheared(DVec3(surface.positions[vertex]))};
     }
     const auto [low, high] = std::minmax({triangle[0].at.x, triangle[1].at.x, triangle[2].at.x});
-    auto probe = std::ranges::lower_bound(probes, low, {}, [](const Probe& p) { return p.at.x; });
-    for (; probe != probes.end() && probe->at.x <= high; ++probe)
+    auto probe = std::ranges::lower_bound(probes, low - kTie, {}, [](const Probe& p) { return p.at.x; });
+    for (; probe != probes.end() && probe->at.x <= high + kTie; ++probe)
       windings[probe->index] += crossing(triangle, probe->at);
   }
   return windings;

@@ -11,7 +11,7 @@ namespace palpate {
 
 // A closed, consistently wound part of a surface.
 struct ClosedSurface {
-  const std::vector<Vec3>& positions;
+  const std::vector<Vec3>& positions;  // normalised frame
   const std::vector<TriangleIndices>& triangles;
   std::span<const std::uint32_t> part;  // the triangles of `triangles` that belong to it
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <optional>
 #include <unordered_map>
 
 namespace palpate {
@@ -10,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-// Ends because every step removes a sliver, or (where two slivers lie on each other's longest edge) turns two
+// Ends because every step removes slivers, or (where two lie on each other's longest edge) turns two
 // into two whose longest edges are both shorter.
 class SliverSplitter {
  public:
@@ -29,10 +28,11 @@ class SliverSplitter {
   void detach(std::uint32_t t);
   void wake(const std::vector<std::uint32_t>& triangles);
   void resolve(std::uint32_t sliver);
+  void retire(std::uint32_t sliver);
   void split(std::uint32_t t, std::uint32_t side, std::uint32_t middle);
   std::uint32_t middle_corner(std::uint32_t sliver) const;
-  std::uint32_t other_on_longest_edge(std::uint32_t sliver, std::uint32_t middle);
-  std::uint32_t side_of(std::uint32_t t, std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t other_on_edge(std::uint32_t sliver, std::uint32_t a, std::uint32_t c);
+  std::uint32_t side_of(std::uint32_t t, std::uint32_t a, std::uint32_t c) const;
 
   enum class Kind : std::uint8_t { kSolid, kSliver, kResolved };
 
@@ -106,45 +106,50 @@ std::uint32_t SliverSplitter::middle_corner(std::uint32_t sliver) const {
   return kNone;
 }
 
-std::uint32_t SliverSplitter::side_of(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
+// The side that joins a and c.
+std::uint32_t SliverSplitter::side_of(std::uint32_t t, std::uint32_t a, std::uint32_t c) const {
   const TriangleIndices& triangle = surface_.triangles[t];
   std::uint32_t side = 0;
-  while (triangle[(side + 2) % 3] == a || triangle[(side + 2) % 3] == b) ++side;
+  while (triangle[(side + 2) % 3] == a || triangle[(side + 2) % 3] == c) ++side;
   return side;
 }
 
-// The one other triangle on the sliver's longest edge if it can be split there, or kNone.
-std::uint32_t SliverSplitter::other_on_longest_edge(std::uint32_t sliver, std::uint32_t middle) {
-  const TriangleIndices& triangle = surface_.triangles[sliver];
-  const std::uint32_t a = triangle[(middle + 1) % 3], c = triangle[(middle + 2) % 3];
+// The one other triangle on edge ac of the sliver, or kNone.
+std::uint32_t SliverSplitter::other_on_edge(std::uint32_t sliver, std::uint32_t a, std::uint32_t c) {
   const std::vector<std::uint32_t>& around = uses(a, c);
   if (around.size() != 2) return kNone;
-  const std::uint32_t other = around[0] == sliver ? around[1] : around[0];
-  const std::uint32_t far_corner = (side_of(other, a, c) + 2) % 3;
-  if (surface_.triangles[other][far_corner] == triangle[middle]) return kNone;
-  const bool splittable = kinds_[other] == Kind::kSolid || middle_corner(other) == far_corner;
-  return splittable ? other : kNone;
+  return around[0] == sliver ? around[1] : around[0];
 }
 
 void SliverSplitter::resolve(std::uint32_t sliver) {
   const std::uint32_t middle = middle_corner(sliver);
   if (middle == kNone) return;
-  const std::uint32_t other = other_on_longest_edge(sliver, middle);
-  if (other == kNone) return;
   const TriangleIndices triangle = surface_.triangles[sliver];
-  const std::uint32_t side = side_of(other, triangle[(middle + 1) % 3], triangle[(middle + 2) % 3]);
+  const std::uint32_t a = triangle[(middle + 1) % 3], b = triangle[middle], c = triangle[(middle + 2) % 3];
+  const std::uint32_t other = other_on_edge(sliver, a, c);
+  if (other == kNone) return;
+  const std::uint32_t side = side_of(other, a, c), far_corner = (side + 2) % 3;
+  if (surface_.triangles[other][far_corner] == b) {
+    retire(sliver);  // two slivers back to back cancel
+    retire(other);
+  } else if (kinds_[other] == Kind::kSolid || middle_corner(other) == far_corner) {
+    retire(sliver);
+    split(other, side, b);
+  }
+}
+
+void SliverSplitter::retire(std::uint32_t sliver) {
   kinds_[sliver] = Kind::kResolved;
   detach(sliver);
-  split(other, side, triangle[middle]);
 }
 
 void SliverSplitter::split(std::uint32_t t, std::uint32_t side, std::uint32_t middle) {
   detach(t);
   const auto half = static_cast<std::uint32_t>(surface_.triangles.size());
-  surface_.triangles.push_back(TriangleIndices(surface_.triangles[t]));
+  surface_.triangles.push_back(surface_.triangles[t]);
   surface_.double_sided.push_back(surface_.double_sided[t]);
-  surface_.source.push_back(std::uint32_t{surface_.source[t]});
-  kinds_.push_back(Kind{kinds_[t]});
+  surface_.source.push_back(surface_.source[t]);
+  kinds_.push_back(kinds_[t]);
   surface_.triangles[t][(side + 1) % 3] = middle;
   surface_.triangles[half][side] = middle;
   if (kinds_[t] == Kind::kSolid) ++split_solids_;

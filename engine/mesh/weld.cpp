@@ -20,15 +20,17 @@ std::uint64_t mix(std::uint64_t x) {
 }
 
 std::uint64_t hash(const Vec3& p) {
-  // Adding zero turns −0 into 0.
-  const auto x = std::bit_cast<std::uint32_t>(p.x + 0.0f);
-  const auto y = std::bit_cast<std::uint32_t>(p.y + 0.0f);
-  const auto z = std::bit_cast<std::uint32_t>(p.z + 0.0f);
-  return mix(mix(std::uint64_t{x} << 32 | y) + z);
+  const auto x = std::bit_cast<std::uint32_t>(p.x), y = std::bit_cast<std::uint32_t>(p.y);
+  return mix(mix(std::uint64_t{x} << 32 | y) + std::bit_cast<std::uint32_t>(p.z));
 }
 
-// Numbers different positions in the order in which they come: a hash table with open addressing, at most
-// half full.
+// Turns −0 into 0, so that equal positions have equal bits.
+Vec3 without_negative_zero(const Vec3& p) {
+  return p + 0.0f;
+}
+
+// Numbers positions of different bits in the order in which they come: a hash table with open addressing, at
+// most half full.
 class PositionTable {
  public:
   explicit PositionTable(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), kNone) {}
@@ -113,7 +115,8 @@ CleanTriangles weld_equal(const TriangleSoup& soup, const ModelFrame& frame) {
   for (TriangleIndices& triangle : surface.triangles) {
     for (std::uint32_t& vertex : triangle) {
       std::uint32_t& number = number_of[vertex];
-      if (number == kNone) number = table.number_of(frame.normalised(soup.positions[vertex]));
+      if (number == kNone)
+        number = table.number_of(without_negative_zero(frame.normalised(soup.positions[vertex])));
       vertex = number;
     }
   }

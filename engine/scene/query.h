@@ -18,7 +18,6 @@ class Query {
   // is empty.
   void run(const Model& a, const Model& b, const Pose& a_from_b, const QueryOptions& options);
   const Contacts& contacts() const { return contacts_; }
-  void clear() { contacts_.clear(); }
 
  private:
   void search(const Model& a, const Model& b, const Pose& a_from_b, const QueryOptions& options);

@@ -17,7 +17,6 @@ class Scene {
  public:
   explicit Scene(const SceneOptions& options) : options_(options) {}
 
-  const SceneOptions& options() const { return options_; }
   void set_cutoff(double cutoff) { options_.cutoff = cutoff; }
   void set_stiffness(double stiffness) { options_.stiffness = stiffness; }
 

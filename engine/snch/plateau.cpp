@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -48,11 +49,19 @@ DVec3 plane_axis(const DVec3& normal) {
   return glm::normalize(axis - normal * normal[least]);
 }
 
-double distance_between(double ax, double ay, double bx, double by) {
-  return std::hypot(bx - ax, by - ay);
+}  // namespace
+
+double PlateauGrouper::distance_between(const PlanePoint& one, const PlanePoint& other) {
+  return std::hypot(other.x - one.x, other.y - one.y);
 }
 
-}  // namespace
+double PlateauGrouper::distance_to_segment(const PlanePoint& point, const PlanePoint& from,
+                                           const PlanePoint& to) {
+  const double x = to.x - from.x, y = to.y - from.y, length_squared = x * x + y * y;
+  const double along = ((point.x - from.x) * x + (point.y - from.y) * y) / std::max(length_squared, 1e-300);
+  const double t = std::clamp(along, 0.0, 1.0);
+  return std::hypot(point.x - from.x - t * x, point.y - from.y - t * y);
+}
 
 void PlateauGrouper::group(const Mesh& a, const Mesh& b, const Limits& limits, std::vector<Minimum>& minima,
                            LmdSet& found) {
@@ -114,14 +123,15 @@ void PlateauGrouper::emit_group(const std::uint32_t* begin, const std::uint32_t*
     found.lmds.push_back(lmd_of(best, 1.0, set));
     return;
   }
-  find_hull(begin, end, minima, merge);
+  find_hull(begin, end, minima);
+  straighten_hull(merge);
   thin_hull();
   // A hull of two points has two sides between them, so this holds for segments as well.
   std::array<double, kMaxPoints> weights{};
   double perimeter = 0.0;
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     const std::size_t next = (i + 1) % hull_.size();
-    const double side = distance_between(hull_[i].x, hull_[i].y, hull_[next].x, hull_[next].y);
+    const double side = distance_between(hull_[i], hull_[next]);
     weights[i] += 0.5 * side;
     weights[next] += 0.5 * side;
     perimeter += side;
@@ -134,10 +144,9 @@ void PlateauGrouper::emit_group(const std::uint32_t* begin, const std::uint32_t*
   }
 }
 
-// The corners of the convex hull in the plane of the plateau (Andrew 1979), those within `merge` of a
-// straight side left out.
+// The convex hull in the plane of the plateau (Andrew 1979).
 void PlateauGrouper::find_hull(const std::uint32_t* begin, const std::uint32_t* end,
-                               const std::vector<Minimum>& minima, double merge) {
+                               const std::vector<Minimum>& minima) {
   const DVec3 x_axis = plane_axis(minima[*begin].normal);
   const DVec3 y_axis = glm::cross(minima[*begin].normal, x_axis);
   points_.clear();
@@ -146,46 +155,55 @@ void PlateauGrouper::find_hull(const std::uint32_t* begin, const std::uint32_t* 
   std::sort(points_.begin(), points_.end(), [](const PlanePoint& one, const PlanePoint& other) {
     return std::tie(one.x, one.y, one.minimum) < std::tie(other.x, other.y, other.minimum);
   });
-  const auto keeps_middle = [merge](const PlanePoint& from, const PlanePoint& middle, const PlanePoint& to) {
-    const double turn = (middle.x - from.x) * (to.y - from.y) - (middle.y - from.y) * (to.x - from.x);
-    return turn > merge * distance_between(from.x, from.y, to.x, to.y);
+  const auto turns_left = [](const PlanePoint& from, const PlanePoint& middle, const PlanePoint& to) {
+    return (middle.x - from.x) * (to.y - from.y) - (middle.y - from.y) * (to.x - from.x) > 0;
   };
   hull_.clear();
   const auto extend = [&](const PlanePoint& point, std::size_t floor) {
-    while (hull_.size() >= floor && !keeps_middle(hull_[hull_.size() - 2], hull_.back(), point))
+    while (hull_.size() >= floor && !turns_left(hull_[hull_.size() - 2], hull_.back(), point))
       hull_.pop_back();
-    if (hull_.empty() || distance_between(hull_.back().x, hull_.back().y, point.x, point.y) > merge)
-      hull_.push_back(point);
+    hull_.push_back(point);
   };
   for (const PlanePoint& point : points_) extend(point, 2);
   const std::size_t upper = hull_.size() + 1;
-  for (std::size_t i = points_.size(); i-- > 0;) extend(points_[i], upper);
-  if (hull_.size() > 1 &&
-      distance_between(hull_.front().x, hull_.front().y, hull_.back().x, hull_.back().y) <= merge)
-    hull_.pop_back();
+  for (std::size_t i = points_.size() - 1; i-- > 0;) extend(points_[i], upper);
+  hull_.pop_back();
+}
+
+// Leaves out corners within `merge` of the side that their neighbours would make. Together with find_hull
+// rather than inside it: a tolerance in the hull's own test loses corners where many points share their first
+// coordinate.
+void PlateauGrouper::straighten_hull(double merge) {
+  for (std::size_t kept = 0, i = 0; hull_.size() > 2 && kept < hull_.size();) {
+    const PlanePoint& before = hull_[(i + hull_.size() - 1) % hull_.size()];
+    const PlanePoint& after = hull_[(i + 1) % hull_.size()];
+    if (distance_to_segment(hull_[i], before, after) <= merge) {
+      hull_.erase(hull_.begin() + static_cast<std::ptrdiff_t>(i));
+      kept = 0;
+    } else {
+      ++i, ++kept;
+    }
+    i %= hull_.size();
+  }
 }
 
 // Leaves at most kMaxPoints corners, each the farthest from those already chosen, in their order around the
 // hull.
 void PlateauGrouper::thin_hull() {
   if (hull_.size() <= kMaxPoints) return;
-  thinned_.clear();
-  std::vector<std::pair<double, std::size_t>>::size_type chosen = 0;
-  std::array<std::size_t, kMaxPoints> order{};
-  for (; chosen < kMaxPoints; ++chosen) {
-    double farthest = -1.0;
+  std::array<std::size_t, kMaxPoints> chosen{};  // the first is the hull's first corner, of least x
+  for (std::size_t count = 1; count < kMaxPoints; ++count) {
+    double farthest = 0.0;
     for (std::size_t i = 0; i < hull_.size(); ++i) {
       double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < chosen; ++k)
-        nearest =
-            std::min(nearest, distance_between(hull_[order[k]].x, hull_[order[k]].y, hull_[i].x, hull_[i].y));
-      if (chosen == 0) nearest = -hull_[i].x;
-      if (i == 0 || nearest > farthest) farthest = nearest, order[chosen] = i;
+      for (std::size_t k = 0; k < count; ++k)
+        nearest = std::min(nearest, distance_between(hull_[chosen[k]], hull_[i]));
+      if (nearest > farthest) farthest = nearest, chosen[count] = i;
     }
   }
-  std::sort(order.begin(), order.end());
-  for (std::size_t i : order) thinned_.push_back(hull_[i]);
-  hull_.swap(thinned_);
+  std::sort(chosen.begin(), chosen.end());
+  for (std::size_t k = 0; k < kMaxPoints; ++k) hull_[k] = hull_[chosen[k]];
+  hull_.resize(kMaxPoints);
 }
 
 }  // namespace palpate

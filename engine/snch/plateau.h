@@ -39,13 +39,16 @@ class PlateauGrouper {
     std::uint32_t minimum;
   };
 
+  static double distance_between(const PlanePoint& one, const PlanePoint& other);
+  static double distance_to_segment(const PlanePoint& point, const PlanePoint& from, const PlanePoint& to);
+
   void link_by_triangle_pairs(const Mesh& a, const Mesh& b, const std::vector<Minimum>& minima);
   std::uint32_t root_of(std::uint32_t minimum);
   void sort_into_groups();
   void emit_group(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima,
                   const Limits& limits, LmdSet& found);
-  void find_hull(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima,
-                 double merge);
+  void find_hull(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima);
+  void straighten_hull(double merge);
   void thin_hull();
 
   std::vector<std::uint32_t> parents_;
@@ -53,7 +56,6 @@ class PlateauGrouper {
   std::vector<std::uint32_t> grouped_;
   std::vector<PlanePoint> points_;
   std::vector<PlanePoint> hull_;
-  std::vector<PlanePoint> thinned_;
 };
 
 }  // namespace palpate

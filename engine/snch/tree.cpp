@@ -37,7 +37,7 @@ void set_cone(Node& node, const Cone& cone) {
       cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + kConeMargin;
   const bool whole = angle > 0.5 * std::numbers::pi;
   node.cone_axis = Vec3(cone.axis);
-  node.cone_cosine = whole ? -1.0f : static_cast<float>(std::cos(angle));
+  node.cone_cosine = whole ? -1.0f : std::nextafter(static_cast<float>(std::cos(angle)), -1.0f);
   node.cone_sine = whole ? 0.0f : static_cast<float>(std::sin(angle));
   for (int k = 0; k < 3; ++k) {
     node.sweep_high[k] = whole ? 255 : sweep(cone.axis[k], angle);

@@ -165,7 +165,6 @@ TEST_P(NamedSolid, FacesOutwardWithoutFolds) {
   const SurfaceCheck check = check_surface(make());
   const auto inward = std::ranges::count_if(check.volumes, [](double volume) { return volume <= 0.0; });
   EXPECT_EQ(inward, std::string(GetParam().name) == "nested_cavities" ? 2 : 0);
-  std::printf("%s sharpest %g\n", GetParam().name, check.sharpest_edge);
   EXPECT_GT(check.sharpest_edge, kFold);
 }
 

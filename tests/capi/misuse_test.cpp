@@ -50,7 +50,7 @@ class Misuse : public testing::Test {
   plp_result add(const plp_body_options& options) {
     plp_body body = 77;
     const plp_result result = plp_scene_add_body(scene_.handle, &options, &body);
-    if (result < 0) EXPECT_EQ(body, 77u) << "an output was touched";
+    EXPECT_EQ(body == 77u, result < 0) << "an output was touched, or was not";
     return result;
   }
 
@@ -95,7 +95,8 @@ TEST_F(Misuse, HandlesOfAnotherKindAreRefused) {
   EXPECT_EQ(plp_query_result_release(cast_handle<plp_query_result>(model_.handle)), PLP_ERROR_INVALID_HANDLE);
   int local = 0;
   EXPECT_EQ(plp_model_prepare(cast_handle<plp_model>(&local)), PLP_ERROR_INVALID_HANDLE) << "an address";
-  for (const std::uint64_t garbage : {std::uint64_t{1}, UINT64_MAX, std::uint64_t{1} << 56, std::uint64_t{0xdead} << 40}) {
+  for (const std::uint64_t garbage :
+       {std::uint64_t{1}, UINT64_MAX, std::uint64_t{1} << 56, std::uint64_t{0xdead} << 40}) {
     EXPECT_EQ(plp_model_prepare(as<plp_model>(garbage)), PLP_ERROR_INVALID_HANDLE) << garbage;
   }
 }
@@ -233,9 +234,9 @@ TEST_F(Misuse, NumbersOfASceneAreChecked) {
 }
 
 TEST_F(Misuse, SpacesAreChecked) {
-  const plp_space bad[] = {{{0, 0, 0}, 0, 1.0},        {{1, 1, 2}, 0, 1.0},  {{1, -1, 3}, 0, 1.0},
-                           {{1, 2, 4}, 0, 1.0},        {{1, 2, 3}, 0, 0.0},  {{1, 2, 3}, 0, -1.0},
-                           {{1, 2, 3}, 0, kNan},       {{1, 2, 3}, 9, 1.0},  {{1, 2, 3}, 0, kInfinity},
+  const plp_space bad[] = {{{0, 0, 0}, 0, 1.0},        {{1, 1, 2}, 0, 1.0}, {{1, -1, 3}, 0, 1.0},
+                           {{1, 2, 4}, 0, 1.0},        {{1, 2, 3}, 0, 0.0}, {{1, 2, 3}, 0, -1.0},
+                           {{1, 2, 3}, 0, kNan},       {{1, 2, 3}, 9, 1.0}, {{1, 2, 3}, 0, kInfinity},
                            {{1, 2, INT32_MIN}, 0, 1.0}};
   for (const plp_space& space : bad) {
     plp_scene_options options = TestScene::options_with(0.1);

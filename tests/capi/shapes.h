@@ -37,7 +37,8 @@ inline Shape torus(double ring, double tube, std::uint32_t around, std::uint32_t
       const double u = 2.0 * std::numbers::pi * i / around;
       const double v = 2.0 * std::numbers::pi * j / across;
       const double radius = ring + tube * std::cos(v);
-      shape.positions.push_back({static_cast<float>(radius * std::cos(u)), static_cast<float>(radius * std::sin(u)),
+      shape.positions.push_back({static_cast<float>(radius * std::cos(u)),
+                                 static_cast<float>(radius * std::sin(u)),
                                  static_cast<float>(tube * std::sin(v))});
       const std::uint32_t k = (i + 1) % around;
       const std::uint32_t l = (j + 1) % across;

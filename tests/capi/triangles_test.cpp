@@ -173,7 +173,8 @@ TEST_F(Triangles, MirroredSpaceTurnsTheWinding) {
 
 TEST_F(Triangles, UnitsAndAxes) {
   // A space in centimetres with z up: its x y z are Palpate's x −z y.
-  for (auto& position : box_.positions) position = {100.0f * position[0], -100.0f * position[2], 100.0f * position[1]};
+  for (auto& position : box_.positions)
+    position = {100.0f * position[0], -100.0f * position[2], 100.0f * position[1]};
   triangles_.space = {{1, -3, 2}, 0, 0.01};
   const TestModel model(triangles_);
   const plp_model_info info = info_of(model.handle);

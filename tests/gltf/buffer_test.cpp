@@ -38,13 +38,12 @@ TEST_F(ExternalBuffer, ComesFromTheFolderOrBelow) {
 TEST_F(ExternalBuffer, NeverFromElsewhere) {
   const std::filesystem::path secret = write("secret.bin", data_);
   write("model/deep/b.bin", data_);
-  for (const std::string& uri : {std::string("../secret.bin"), std::string("%2e%2E/secret.bin"),
-                                 std::string("deep/../../secret.bin"), std::string("deep/../deep/b.bin"),
-                                 std::string("..%2Fsecret.bin"), std::string("..\\secret.bin"),
-                                 std::string("deep%5C..%5C..%5Csecret.bin"), secret.string(),
-                                 "file://" + secret.string(), std::string("http://example.org/b.bin"),
-                                 std::string("C:/b.bin"), std::string("C%3A/b.bin"), std::string("b.bin%00.txt"),
-                                 std::string(""), std::string(".")}) {
+  for (const std::string& uri :
+       {std::string("../secret.bin"), std::string("%2e%2E/secret.bin"), std::string("deep/../../secret.bin"),
+        std::string("deep/../deep/b.bin"), std::string("..%2Fsecret.bin"), std::string("..\\secret.bin"),
+        std::string("deep%5C..%5C..%5Csecret.bin"), secret.string(), "file://" + secret.string(),
+        std::string("http://example.org/b.bin"), std::string("C:/b.bin"), std::string("C%3A/b.bin"),
+        std::string("b.bin%00.txt"), std::string(""), std::string(".")}) {
     expect_error(uri, ErrorCode::kUnsafePath);
   }
 }
@@ -104,8 +103,9 @@ TEST_F(ExternalBuffer, WhatOnlyImagesNeedIsNeverTouched) {
 }
 
 TEST(DataUri, DamagedOneIsRefused) {
-  for (const char* uri : {"data:application/octet-stream;base64,AAAA", "data:application/octet-stream;base64,!!!!",
-                          "data:,plain", "DATA:application/octet-stream;base64"}) {
+  for (const char* uri :
+       {"data:application/octet-stream;base64,AAAA", "data:application/octet-stream;base64,!!!!",
+        "data:,plain", "DATA:application/octet-stream;base64"}) {
     GltfBuilder builder = triangle_builder();
     builder.json["buffers"][0]["uri"] = uri;
     const Result<GltfScene> scene = read(bytes_of(builder.json.dump()));

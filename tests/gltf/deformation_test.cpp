@@ -17,7 +17,8 @@ GltfBuilder morphed() {
   GltfBuilder builder = triangle_builder();
   const int up = builder.add_positions({0, 0, 1, 0, 0, 1, 0, 0, 1});
   const int along = builder.add_positions({10, 0, 0, 0, 0, 0, 0, 0, 0});
-  builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", up}}, {{"POSITION", along}, {"NORMAL", 77}}};
+  builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", up}},
+                                                           {{"POSITION", along}, {"NORMAL", 77}}};
   return builder;
 }
 
@@ -52,18 +53,18 @@ TEST(Morph, TargetsOfAnotherLengthAreRefused) {
   EXPECT_NE(scene.error().message.find("morph target 0"), std::string::npos) << scene.error().message;
 }
 
-// The triangle bound to joint 1 (a quarter turn about z, moved along x by ten) with its first corner, to joint 2 (at
-// rest) with its second, and half to each with its third. Joint 1 was bound five along x.
+// The triangle bound to joint 1 (a quarter turn about z, moved along x by ten) with its first corner, to
+// joint 2 (at rest) with its second, and half to each with its third. Joint 1 was bound five along x.
 GltfBuilder skinned() {
   GltfBuilder builder = triangle_builder();
   const int joints =
       builder.add_array(std::vector<std::uint8_t>{0, 9, 9, 9, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 4);
-  const int weights =
-      builder.add_array(std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 127, 127, 0, 0}, 5121, "VEC4", 4);
+  const int weights = builder.add_array(std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 127, 127, 0, 0},
+                                        5121, "VEC4", 4);
   builder.json["accessors"][weights]["normalized"] = true;
   const int inverse_bind =
       builder.add_array(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -5, 0, 0, 1,  //
-                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1},
                         5126, "MAT4", 16);
   Json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_0"] = joints;

@@ -23,7 +23,9 @@ struct FeatureFile {
   DVec3 box;
 };
 
-void PrintTo(const FeatureFile& file, std::ostream* out) { *out << file.path; }
+void PrintTo(const FeatureFile& file, std::ostream* out) {
+  *out << file.path;
+}
 
 class FeatureFiles : public ::testing::TestWithParam<FeatureFile> {};
 
@@ -37,7 +39,8 @@ TEST_P(FeatureFiles, HaveTheStatedGeometry) {
   EXPECT_EQ(welded.triangles, file.triangles);
   EXPECT_EQ(welded.vertices.size(), file.vertices);
   const DVec3 size = welded.box.size();
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(size[axis], file.box[axis], 1e-4 * file.box[axis] + 1e-6) << axis;
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(size[axis], file.box[axis], 1e-4 * file.box[axis] + 1e-6) << axis;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -68,7 +71,9 @@ struct FaultyFile {
   const char* place;
 };
 
-void PrintTo(const FaultyFile& file, std::ostream* out) { *out << file.path; }
+void PrintTo(const FaultyFile& file, std::ostream* out) {
+  *out << file.path;
+}
 
 class FaultyFiles : public ::testing::TestWithParam<FaultyFile> {};
 
@@ -86,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
     Gltf, FaultyFiles,
     ::testing::Values(FaultyFile{"Mesh_PrimitiveMode/Mesh_PrimitiveMode_00.gltf", ErrorCode::kNoTriangles,
                                  "points or lines: 1"},
-                      FaultyFile{"IndexOutOfRange/IndexOutOfRange.gltf", ErrorCode::kBadFormat, "mesh 0 primitive 0"},
+                      FaultyFile{"IndexOutOfRange/IndexOutOfRange.gltf", ErrorCode::kBadFormat,
+                                 "mesh 0 primitive 0"},
                       FaultyFile{"BoxWithInfinites.glb", ErrorCode::kNonFinite, "mesh 0 primitive 0: vertex"},
                       FaultyFile{"MissingBin/BoxTextured.gltf", ErrorCode::kFileNotFound, "BoxTextured0.bin"},
                       FaultyFile{"invalid-buffer-view-index.gltf", ErrorCode::kNoTriangles, "scene"}));

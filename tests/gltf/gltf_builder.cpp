@@ -20,7 +20,8 @@ void append_chunk(Bytes& glb, std::uint32_t type, const Bytes& data, std::byte p
 }  // namespace
 
 GltfBuilder::GltfBuilder() {
-  json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", Json::array({{{"nodes", Json::array()}}})}};
+  json = {
+      {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", Json::array({{{"nodes", Json::array()}}})}};
 }
 
 int GltfBuilder::add_view(const void* data, std::size_t size, int stride) {
@@ -52,7 +53,9 @@ int GltfBuilder::add_mesh(Json primitive) {
   return static_cast<int>(json["meshes"].size()) - 1;
 }
 
-Bytes GltfBuilder::glb() const { return make_glb(json.dump(), bin_); }
+Bytes GltfBuilder::glb() const {
+  return make_glb(json.dump(), bin_);
+}
 
 std::string GltfBuilder::gltf() const {
   Json embedded = json;
@@ -83,7 +86,8 @@ std::string data_uri(const Bytes& bytes) {
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < 3; ++k)
       group = group << 8 | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) uri += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
+    for (std::size_t k = 0; k < 4; ++k)
+      uri += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
   }
   return uri;
 }

@@ -34,8 +34,8 @@ class GltfBuilder {
   int add_positions(const std::vector<float>& xyz) { return add_array(xyz, 5126, "VEC3", 3); }
   int add_indices(const std::vector<std::uint16_t>& indices) { return add_array(indices, 5123, "SCALAR", 1); }
 
-  Bytes glb() const;           // with the buffer as the binary chunk
-  std::string gltf() const;    // with the buffer as a data URI
+  Bytes glb() const;         // with the buffer as the binary chunk
+  std::string gltf() const;  // with the buffer as a data URI
   const Bytes& bin() const { return bin_; }
 
   Json json;

@@ -146,7 +146,8 @@ TEST(Scene, EmptyOneHasNoTriangles) {
 GltfBuilder instanced() {
   GltfBuilder builder = placed({{"translation", {0, 0, 100}}});
   const int translations = builder.add_positions({1, 0, 0, 2, 0, 0});
-  const int rotations = builder.add_array(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 127, 0}, 5120, "VEC4", 4);
+  const int rotations =
+      builder.add_array(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 127, 0}, 5120, "VEC4", 4);
   builder.json["accessors"][rotations]["normalized"] = true;
   const int scales = builder.add_positions({1, 1, 1, 1, 1, -3});
   builder.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {

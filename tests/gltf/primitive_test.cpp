@@ -66,7 +66,9 @@ using IndexTypes = ::testing::Types<std::uint8_t, std::uint16_t, std::uint32_t>;
 TYPED_TEST_SUITE(IndexType, IndexTypes);
 
 template <class T>
-constexpr int kIndexComponent = sizeof(T) == 1 ? 5121 : sizeof(T) == 2 ? 5123 : 5125;
+constexpr int kIndexComponent = sizeof(T) == 1   ? 5121
+                                : sizeof(T) == 2 ? 5123
+                                                 : 5125;
 
 template <class T>
 Result<GltfScene> read_indexed(const std::vector<T>& indices) {
@@ -83,14 +85,16 @@ TYPED_TEST(IndexType, IsRead) {
 }
 
 TYPED_TEST(IndexType, OutOfRangeOrRestartIsRefused) {
-  expect_error(read_indexed<TypeParam>({0, 1, 4}), ErrorCode::kBadFormat, "index 4 is past the last vertex 3");
+  expect_error(read_indexed<TypeParam>({0, 1, 4}), ErrorCode::kBadFormat,
+               "index 4 is past the last vertex 3");
   expect_error(read_indexed<TypeParam>({0, 1, std::numeric_limits<TypeParam>::max()}), ErrorCode::kBadFormat,
                "restart");
 }
 
 TEST(Primitive, StrideAndOffsetsAreHonoured) {
   GltfBuilder builder;
-  const std::vector<float> rows = {9, 9, 0, 0, 0, 7, 1, 0, 0, 7, 0, 1, 0, 7};  // two floats, then rows of four
+  const std::vector<float> rows = {9, 9, 0, 0, 0, 7, 1,
+                                   0, 0, 7, 0, 1, 0, 7};  // two floats, then rows of four
   const int view = builder.add_view(rows.data(), rows.size() * sizeof(float), 16);
   const int positions = builder.add_accessor(view, 5126, 3, "VEC3");
   builder.json["accessors"][positions]["byteOffset"] = 8;
@@ -153,8 +157,8 @@ TEST(Primitive, AccessorWithoutViewIsZero) {
 template <class T>
 DVec3 quantized_far_corner(int component_type, T value, bool normalized) {
   GltfBuilder builder;
-  const int positions = builder.add_array(std::vector<T>{0, 0, 0, 0, value, 0, 0, 0, 0, 0, value, 0}, component_type,
-                                          "VEC3", 4);
+  const int positions = builder.add_array(std::vector<T>{0, 0, 0, 0, value, 0, 0, 0, 0, value, 0, 0},
+                                          component_type, "VEC3", 4);
   builder.json["bufferViews"][0]["byteStride"] = 4 * sizeof(T);
   builder.json["accessors"][positions]["normalized"] = normalized;
   builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
@@ -198,7 +202,8 @@ TEST(Primitive, NonFinitePositionsAreToldByVertex) {
 TEST(Primitive, DoubleSidedComesFromTheMaterial) {
   GltfBuilder builder = triangle_builder();
   EXPECT_TRUE(baked(read(builder)).double_sided.empty());
-  builder.json["materials"] = {{{"doubleSided", true}, {"name", 5}, {"pbrMetallicRoughness", "wrong"}}, Json::object()};
+  builder.json["materials"] = {{{"doubleSided", true}, {"name", 5}, {"pbrMetallicRoughness", "wrong"}},
+                               Json::object()};
   Json& primitives = builder.json["meshes"][0]["primitives"];
   for (const int material : {0, 1}) {
     primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"material", material}});
@@ -212,12 +217,18 @@ TEST(Primitive, WrongReferencesAreRefused) {
     const char* pointer;
     Json value;
   };
-  const Case cases[] = {{"/meshes/0/primitives/0/attributes/POSITION", 1}, {"/meshes/0/primitives/0/indices", 9},
-                        {"/accessors/0/bufferView", 1},                    {"/bufferViews/0/buffer", 1},
-                        {"/bufferViews/0/byteLength", 37},                 {"/accessors/0/count", 4},
-                        {"/accessors/0/type", "VEC2"},                     {"/accessors/0/componentType", 5125},
-                        {"/nodes/0/mesh", 1},                              {"/accessors/0/byteOffset", ~0ull},
-                        {"/bufferViews/0/byteOffset", ~0ull},              {"/accessors/0/count", 1ull << 62}};
+  const Case cases[] = {{"/meshes/0/primitives/0/attributes/POSITION", 1},
+                        {"/meshes/0/primitives/0/indices", 9},
+                        {"/accessors/0/bufferView", 1},
+                        {"/bufferViews/0/buffer", 1},
+                        {"/bufferViews/0/byteLength", 37},
+                        {"/accessors/0/count", 4},
+                        {"/accessors/0/type", "VEC2"},
+                        {"/accessors/0/componentType", 5125},
+                        {"/nodes/0/mesh", 1},
+                        {"/accessors/0/byteOffset", ~0ull},
+                        {"/bufferViews/0/byteOffset", ~0ull},
+                        {"/accessors/0/count", 1ull << 62}};
   for (const Case& wrong : cases) {
     GltfBuilder builder = triangle_builder();
     builder.json[Json::json_pointer(wrong.pointer)] = wrong.value;

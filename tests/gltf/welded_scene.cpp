@@ -10,8 +10,8 @@ WeldedScene weld(const GltfScene& scene) {
     for (const std::uint32_t corner : triangle) {
       const DVec3& p = soup.positions[corner];
       // +0 turns −0 into 0.
-      welded.vertices.insert({static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f,
-                              static_cast<float>(p.z) + 0.0f});
+      welded.vertices.insert(
+          {static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f, static_cast<float>(p.z) + 0.0f});
       welded.box.grow(p);
     }
   }

@@ -12,7 +12,7 @@ from pathlib import Path
 CONSUMER = Path(__file__).parent / "consumer"
 # A pose at which several places of the two models are within the cutoff.
 MODELS = ("crankshaft_45k.glb", "gear_6k.glb")
-OFFSET = ("0", "0", "0")
+OFFSET = ("-0.01", "0.098", "0.02")
 CUTOFF = "0.01"
 RELATIVE_TOLERANCE = 1e-12
 

@@ -4,7 +4,9 @@
  * @brief Palpate: touch triangle models. The whole C interface; compiles as C99 and as C++17.
  *
  * Units are metres, seconds, newtons and newton-metres; frames are right-handed; quaternions are x y z w. A scene may
- * be told another space (plp_space). Points, forces and poses are double precision.
+ * be told another space (plp_space). Points, forces and poses are double precision. A coordinate, cutoff or stiffness
+ * that a caller gives for a pose, query, scene or body is at most 1e15 (metres, N/m); more, infinite and NaN are
+ * PLP_ERROR_INVALID_ARGUMENT.
  *
  * **Errors.** Every function that can fail returns a plp_result: 0 is success, positive is success with a remark,
  * negative is an error. plp_last_error() has one sentence for the last error of the calling thread. After an error
@@ -121,8 +123,8 @@ typedef struct plp_wrench {
  *  under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
   int32_t axes[3];
-  int32_t reserved;
-  double metres_per_unit;
+  int32_t reserved;       /**< 0 */
+  double metres_per_unit; /**< 1e-9 to 1e9 */
 } plp_space;
 
 /* ----------------------------------------------------------------------------------------------------------- models */
@@ -133,11 +135,11 @@ typedef struct plp_model_t* plp_model;
 /** How a model is made from what comes. */
 typedef struct plp_model_options {
   uint32_t struct_size;
-  uint32_t flags;         /**< PLP_MODEL_* */
+  uint32_t flags;         /**< PLP_MODEL_*; an unknown one is refused */
   double weld_tolerance;  /**< metres; 0 welds exactly equal positions only */
   int32_t gltf_scene;     /**< index of the glTF scene; -1 for the file's default one */
   uint32_t reserved;
-  uint64_t max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000 */
+  uint64_t max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000; at most 1,000,000,000 */
 } plp_model_options;
 
 enum {
@@ -182,13 +184,13 @@ typedef struct plp_triangles {
   uint32_t struct_size;
   uint32_t reserved;
   const void* positions;    /**< vertex_count × 3 numbers */
-  size_t position_stride;   /**< bytes from one vertex to the next; 0: tightly packed */
+  size_t position_stride;   /**< bytes from one vertex to the next, any alignment; 0: tightly packed */
   size_t vertex_count;
   const void* indices;      /**< triangle_count × 3 numbers, counter-clockwise seen from outside; null: 0, 1, 2, … */
   size_t index_stride;      /**< bytes from one triangle to the next; 0: tightly packed */
   size_t triangle_count;    /**< without indices it may be 0: vertex_count / 3 */
   plp_type position_type;   /**< PLP_TYPE_FLOAT32 or PLP_TYPE_FLOAT64 */
-  plp_type index_type;      /**< PLP_TYPE_UINT8, UINT16 or UINT32; PLP_TYPE_NONE without indices */
+  plp_type index_type;      /**< PLP_TYPE_UINT8, UINT16 or UINT32; not read without indices */
   plp_space space;          /**< of the positions; a mirrored space turns the winding */
 } plp_triangles;
 
@@ -204,7 +206,8 @@ PLP_API void plp_triangles_init(plp_triangles* triangles);
 PLP_API plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const plp_model_options* options,
                                                    plp_model* model);
 
-/** @brief Adds a reference. @return PLP_ERROR_INVALID_HANDLE. @threadsafety any @since 0.1 */
+/** @brief Adds a reference. @return PLP_ERROR_INVALID_HANDLE, or _LIMIT with 65,535 references.
+ *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_retain(plp_model model);
 
 /** @brief Gives a reference back; with the last one the handle becomes invalid. Scenes keep the models they use.
@@ -292,7 +295,8 @@ typedef struct plp_lmd {
   uint32_t set;      /**< points of one plateau share it; 0, 1, … in order */
   uint8_t feature_a; /**< plp_feature */
   uint8_t feature_b; /**< plp_feature */
-  uint8_t corner_a;  /**< of triangle_a: which vertex, or which edge (k joins corners k and k + 1); 0 for a face */
+  uint8_t corner_a;  /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k + 1);
+                          0 for a face. Turning a triangle's winding exchanges two of its corners. */
   uint8_t corner_b;
   uint32_t triangle_a; /**< a triangle that holds the feature, as numbered in the input */
   uint32_t triangle_b;
@@ -341,7 +345,7 @@ PLP_API void plp_contacts_init(plp_contacts* contacts);
 /** Room for the outcome of plp_query; reuse one to avoid allocations. */
 typedef struct plp_query_result_t* plp_query_result;
 
-/** @brief Makes an empty result. @return PLP_ERROR_INVALID_ARGUMENT or _OUT_OF_MEMORY.
+/** @brief Makes an empty result. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_query_result_create(plp_query_result* result);
 
@@ -394,7 +398,8 @@ typedef struct plp_scene_options {
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options);
 
-/** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
+/** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
+ *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene);
 
 /** @brief Releases a scene and its bodies. Null is allowed. @return PLP_ERROR_INVALID_HANDLE.

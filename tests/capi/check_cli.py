@@ -1,0 +1,130 @@
+"""Runs the command-line tool as a script would: its outputs, and one line and exit code 1 for every mistake."""
+
+import base64
+import csv
+import json
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TOOL = sys.argv.pop()
+
+
+def box_gltf(half):
+    """A closed box about the origin."""
+    corners = [(x, y, z) for z in (-half, half) for y in (-half, half) for x in (-half, half)]
+    triangles = (0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5)
+    data = b"".join(struct.pack("<3f", *corner) for corner in corners) + struct.pack("<36H", *triangles)
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [-half] * 3, "max": [half] * 3},
+            {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+        "buffers": [{"byteLength": len(data), "uri": uri}]})
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="palpate-cli-")
+        self.addCleanup(self.folder.cleanup)
+        self.box = self.write("box.gltf", box_gltf(0.5))
+
+    def write(self, name, text):
+        path = Path(self.folder.name) / name
+        path.write_text(text)
+        return str(path)
+
+    def run_tool(self, *arguments):
+        return subprocess.run([TOOL, *arguments], capture_output=True, text=True, timeout=60)
+
+    def output(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def complaint(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        return done.stderr
+
+    def query(self, *pose):
+        return json.loads(self.output("query", self.box, self.box, "--pose", *pose, "--cutoff", "0.2", "--json"))
+
+    def test_query_with_negative_numbers(self):
+        found = self.query("-1.125", "-0", "-1e-9", "0", "0", "-0", "-1")
+        self.assertEqual({lmd["set"] for lmd in found["lmds"]}, {0})
+        self.assertAlmostEqual(sum(lmd["weight"] for lmd in found["lmds"]), 1.0)
+        for lmd in found["lmds"]:
+            self.assertEqual(lmd["distance"], 0.125)
+            self.assertEqual((lmd["a"][0], lmd["b"][0]), (-0.5, -0.625))
+        self.assertFalse(found["overlap"])
+        self.assertAlmostEqual(found["wrench"]["force"][0], -75.0)
+        self.assertGreater(found["search_us"], 0.0)
+
+    def test_query_names_features(self):
+        lmd, = self.query("1.0625", "1.0625", "1.0625", "0", "0", "0", "1")["lmds"]
+        self.assertEqual((lmd["feature_a"], lmd["feature_b"]), ("vertex", "vertex"))
+
+    def test_query_reports_overlap(self):
+        self.assertTrue(self.query("0.5", "0.25", "0.125", "0", "0", "0", "1")["overlap"])
+
+    def test_query_table(self):
+        text = self.output("query", self.box, self.box, "--pose", "1.1", "0", "0", "0", "0", "0", "1", "--cutoff", "0.2")
+        self.assertIn("1 local minimum distances", text)
+
+    def test_info(self):
+        info = json.loads(self.output("info", self.box, "--json"))
+        self.assertEqual((info["triangles"], info["welded_vertices"], info["stored_vertices"]), (12, 8, 8))
+        self.assertEqual((info["watertight"], info["orientation"]), (True, "outward"))
+        self.assertEqual(info["searched"]["triangles"], 12)
+        self.assertEqual(info["bounds"], {"min": [-0.5] * 3, "max": [0.5] * 3})
+        self.assertGreater(info["tree_nodes"], 0)
+        self.assertIn("outward", self.output("info", self.box))
+
+    def test_run(self):
+        rows = ["t,px,py,pz,qx,qy,qz,qw", "0,1.125,0,0,0,0,0,1", "0.001,1.125,0,0,0,0,0,1\r", "0.002,-9,0,0,0,0,0,1", ""]
+        poses = self.write("poses.csv", "\n".join(rows))
+        out = str(Path(self.folder.name) / "ticks.csv")
+        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                         "--stiffness", "500", "--mode", "global", "--out", out, "--json"))
+        self.assertEqual((summary["ticks"], summary["ticks_in_contact"]), (3, 2))
+        with open(out, newline="") as file:
+            ticks = list(csv.DictReader(file))
+        self.assertEqual(",".join(ticks[0]), "t,lmds,min_distance,fx,fy,fz,tx,ty,tz,local_us,global_us,pairs,age_ticks")
+        self.assertEqual([tick["lmds"] for tick in ticks], ["1", "1", "0"])
+        self.assertEqual([float(tick["t"]) for tick in ticks], [0.0, 0.001, 0.002])
+        self.assertAlmostEqual(float(ticks[0]["fx"]), 37.5)
+        self.assertGreater(float(ticks[0]["global_us"]), 0.0)
+        self.assertEqual(float(ticks[1]["global_us"]), 0.0, "nothing moved, so nothing is searched")
+        self.assertEqual(float(ticks[2]["min_distance"]), float("inf"))
+
+    def test_mistakes(self):
+        poses = self.write("poses.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,2,3\n")
+        header = self.write("header.csv", "time,x\n")
+        garbage = self.write("garbage.glb", "this is no glTF")
+        run = ("run", self.box, self.box, "--cutoff", "1", "--trajectory")
+        self.assertIn("missing.glb", self.complaint("info", "missing.glb"))
+        self.assertIn("garbage.glb", self.complaint("info", garbage))
+        self.assertIn("poses.csv:3", self.complaint(*run, poses))
+        self.assertIn("header.csv:1", self.complaint(*run, header))
+        self.assertIn("global", self.complaint(*run, poses, "--mode", "descent"))
+        self.assertIn("springs", self.complaint(*run, poses, "--law", "smooth"))
+        self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", "1", "2", "--cutoff", "1"))
+        self.assertIn("cutoff", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "-1"))
+        self.complaint()
+        self.complaint("touch")
+
+    def test_help_and_version(self):
+        self.assertIn("query", self.output("--help"))
+        self.assertIn("--pose", self.output("query", "--help"))
+        self.assertRegex(self.output("--version"), r"^\d+\.\d+\.\d+\n$")
+
+
+unittest.main()

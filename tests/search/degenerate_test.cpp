@@ -1,0 +1,92 @@
+// Poses and shapes at the edge of what numbers can say: nothing but finite answers comes back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assets/shapes/box.h"
+#include "assets/shapes/platonic.h"
+#include "tests/search/find.h"
+#include "tests/support/models.h"
+#include "tests/support/random_poses.h"
+
+namespace palpate {
+namespace {
+
+void expect_sound(const LmdSet& found, double cutoff) {
+  double weights = 0;
+  for (const Lmd& lmd : found.lmds) {
+    EXPECT_TRUE(std::isfinite(glm::dot(lmd.point_a, lmd.point_b)));
+    EXPECT_NEAR(glm::length(lmd.normal), 1.0, 1e-9);
+    EXPECT_GT(lmd.distance, 0.0);
+    EXPECT_LE(lmd.distance, cutoff * (1 + 1e-9));
+    weights += lmd.weight;
+  }
+  EXPECT_NEAR(weights, found.set_count, 1e-9);
+}
+
+TEST(Degenerate, GapsDownToAFewUlpsAreFoundOrTouch) {
+  const auto a = make_model(shapes::box({1, 1, 1}));
+  const auto b = make_model(shapes::tetrahedron(0.1));
+  Random random(11);
+  for (double gap : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-16}) {
+    for (int i = 0; i < 50; ++i) {
+      Pose pose{random.rotation(), DVec3(0.0)};
+      double lowest = 1.0;
+      for (std::uint32_t v = 0; v < 4; ++v)
+        lowest = std::min(lowest, (pose.rotation * b->mesh().frame.metres(b->mesh().position(v))).z);
+      pose.translation = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.5 - lowest + gap};
+      const LmdSet found = find_lmds(*a, *b, pose, 0.01);
+      expect_sound(found, 0.01);
+      EXPECT_TRUE(found.set_count == 1 || found.overlapping()) << "gap " << gap;
+      if (gap >= 1e-12 && found.set_count == 1) {
+        EXPECT_NEAR(found.lmds[0].distance, gap, 1e-15 + 1e-6 * gap);
+      }
+    }
+  }
+}
+
+TEST(Degenerate, CutoffLargerThanTheScene) {
+  const auto a = make_model(shapes::icosphere(0.1, 4));
+  const auto b = make_model(shapes::box({0.1, 0.1, 0.1}));
+  const LmdSet found = find_lmds(*a, *b, shifted({0.5, 0.1, 0.2}), 1e6);
+  EXPECT_GE(found.set_count, 1u);
+  expect_sound(found, 1e6);
+}
+
+TEST(Degenerate, FarAwayIsNothing) {
+  const auto box = make_model(shapes::box({1, 1, 1}));
+  for (double far : {1e3, 1e9, 1e18, 1e30, 1e150}) {
+    const LmdSet found = find_lmds(*box, *box, shifted({far, 0, 0}), 1.0);
+    EXPECT_EQ(found.set_count, 0u);
+    EXPECT_FALSE(found.overlapping());
+  }
+}
+
+TEST(Degenerate, ModelsOfVeryDifferentSize) {
+  const auto large = make_model(shapes::box({1e4, 1e4, 1e4}));
+  const auto small = make_model(shapes::box({1e-3, 1e-3, 1e-3}));
+  const Pose pose = shifted({12.5, -7.25, 5e3 + 0.5e-3 + 1e-4});
+  const LmdSet forward = find_lmds(*large, *small, pose, 1e-3);
+  const LmdSet backward = find_lmds(*small, *large, inverse(pose), 1e-3);
+  for (const LmdSet* found : {&forward, &backward}) {
+    ASSERT_EQ(found->set_count, 1u);
+    expect_sound(*found, 1e-3);
+    EXPECT_NEAR(found->lmds[0].distance, 1e-4, 1e-8);
+  }
+}
+
+TEST(Degenerate, LoneTriangles) {
+  TriangleSoup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}};
+  const auto triangle = make_model(soup);
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const LmdSet found = find_lmds(*triangle, *triangle, {random.rotation(), random.direction() * 0.8}, 2.0);
+    expect_sound(found, 2.0);
+    EXPECT_LE(found.set_count, 1u);  // the product of two triangles is convex
+  }
+}
+
+}  // namespace
+}  // namespace palpate

@@ -1,0 +1,106 @@
+// The hierarchy's own promises: every triangle once, bounds that hold.
+#include "engine/snch/tree.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "assets/catalogue.h"
+#include "engine/mesh/polar_cone.h"
+#include "tests/support/models.h"
+
+namespace palpate {
+namespace {
+
+void collect(const Tree& tree, std::uint32_t node, std::vector<std::uint32_t>& triangles) {
+  if (tree.node(node).is_leaf()) return triangles.push_back(tree.node(node).triangle());
+  collect(tree, node + 1, triangles);
+  collect(tree, tree.node(node).second_child(), triangles);
+}
+
+void expect_bounds(const Mesh& mesh, const Node& node, const std::vector<std::uint32_t>& triangles) {
+  for (std::uint32_t t : triangles) {
+    for (std::uint32_t vertex : mesh.triangles[t]) {
+      const DVec3 arm = mesh.position(vertex) - DVec3(node.centre);
+      ASSERT_LE(glm::length(arm), node.radius);
+      for (int k = 0; k < 3; ++k) ASSERT_LE(std::abs(arm[k]), node.half[k]);
+    }
+    if (node.cone_cosine >= 0) {
+      const DVec3 normal = unit_normal(mesh, t);
+      ASSERT_GE(glm::dot(normal, glm::normalize(DVec3(node.cone_axis))), node.cone_cosine);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_LE(normal[k], node.sweep_high[k] / 255.0);
+        ASSERT_LE(-normal[k], node.sweep_low[k] / 255.0);
+      }
+    }
+  }
+}
+
+TEST(Tree, BoundsAndHoldsEveryTriangleOnce) {
+  for (const char* name : {"organic_2200", "voxels", "fan_200", "mobius_strip", "slivers", "tetrahedron"}) {
+    const auto model = asset_model(name);
+    const Tree& tree = model->tree();
+    std::vector<std::uint32_t> all;
+    collect(tree, 0, all);
+    std::sort(all.begin(), all.end());
+    ASSERT_EQ(all.size(), model->mesh().triangles.size()) << name;
+    for (std::uint32_t t = 0; t < all.size(); ++t) ASSERT_EQ(all[t], t);
+    ASSERT_EQ(tree.node_count(), 2 * all.size() - 1);
+    for (std::uint32_t i = 0; i < tree.node_count(); ++i) {
+      std::vector<std::uint32_t> below;
+      collect(tree, i, below);
+      expect_bounds(model->mesh(), tree.node(i), below);
+    }
+  }
+}
+
+TEST(Tree, EveryFeatureThatMayHoldAMinimumIsOwnedOnce) {
+  const auto model = asset_model("voxels_nonmanifold");
+  const Mesh& mesh = model->mesh();
+  std::size_t corners = 0, sides = 0, active_vertices = 0, active_edges = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    corners += static_cast<std::size_t>(__builtin_popcount(model->tree().owned(t).corners));
+    sides += static_cast<std::size_t>(__builtin_popcount(model->tree().owned(t).sides));
+  }
+  for (FeatureFlags flags : mesh.vertex_flags) active_vertices += flags.active;
+  for (FeatureFlags flags : mesh.edge_flags) active_edges += flags.active;
+  EXPECT_EQ(corners, active_vertices);
+  EXPECT_EQ(sides, active_edges);
+  EXPECT_LT(active_edges, mesh.edges.size());
+}
+
+TEST(Tree, OneTriangleIsARootThatIsALeaf) {
+  TriangleSoup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}};
+  const auto model = make_model(soup);
+  EXPECT_EQ(model->tree().node_count(), 1u);
+  EXPECT_TRUE(model->tree().root().is_leaf());
+}
+
+TEST(Tree, IsBuiltOnceWhenFirstAskedFor) {
+  const auto model = asset_model("organic_2200");
+  EXPECT_EQ(model->tree_if_built(), nullptr);
+  const Tree* seen[2] = {};
+  std::thread other([&] { seen[0] = &model->tree(); });
+  seen[1] = &model->tree();
+  other.join();
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(model->tree_if_built(), seen[0]);
+}
+
+// Sizes that halve from triangle to triangle drive the surface area heuristic into its deepest trees.
+TEST(Tree, SurvivesGeometricProgressions) {
+  TriangleSoup soup;
+  double size = 1.0;
+  for (std::uint32_t i = 0; i < 120; ++i, size *= 0.5) {
+    soup.positions.insert(soup.positions.end(), {{size, 0, 0}, {size, size, 0}, {size, 0, size}});
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const auto model = make_model(soup);
+  EXPECT_EQ(model->tree().node_count(), 2 * model->mesh().triangles.size() - 1);
+}
+
+}  // namespace
+}  // namespace palpate
