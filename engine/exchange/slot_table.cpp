@@ -46,7 +46,9 @@ bool alive(std::uint64_t state, SlotTable::Handle handle) {
 }  // namespace
 
 SlotTable::SlotTable(std::uint8_t kind, Destroy destroy, const Limits& limits)
-    : kind_(kind), destroy_(destroy), limits_{std::min(limits.slots, kMaxSlots), std::min(limits.generations, UINT32_MAX - 1)} {
+    : kind_(kind),
+      destroy_(destroy),
+      limits_{std::min(limits.slots, kMaxSlots), std::min(limits.generations, UINT32_MAX - 1)} {
   assert(kind != 0);
 }
 

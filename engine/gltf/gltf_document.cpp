@@ -1,5 +1,7 @@
 #include "engine/gltf/gltf_document.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -100,16 +102,35 @@ std::optional<MeshoptBlock> take_meshopt(Json& view) {
   return block;
 }
 
+void check_stride(const Json& view) {
+  const auto stride = view.value("byteStride", std::uint64_t{0});
+  if (stride > 252 || stride % 4 != 0)
+    fail(ErrorCode::kBadFormat, "byteStride ", stride, " is not a multiple of 4 up to 252");
+}
+
 void reduce_views(Json& root, GltfDocument& document) {
   for_each_object(root, "bufferViews", "bufferView", [&](std::size_t, Json& view) {
     document.meshopt.push_back(take_meshopt(view));
     reduce(view, kBufferView);
+    check_stride(view);
   });
+}
+
+// What tinygltf would refuse, too, but without telling where.
+void check_element(const Json& accessor) {
+  constexpr std::string_view kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+  const auto& type = accessor.at("type").get_ref<const std::string&>();
+  if (std::find(std::begin(kTypes), std::end(kTypes), type) == std::end(kTypes))
+    fail(ErrorCode::kBadFormat, "type ", quoted(type), " is not known");
+  const int component_type = accessor.at("componentType").get<int>();
+  if (component_type < TINYGLTF_COMPONENT_TYPE_BYTE || component_type > TINYGLTF_COMPONENT_TYPE_FLOAT)
+    fail(ErrorCode::kBadFormat, "component type ", component_type, " is not known");
 }
 
 void reduce_accessors(Json& root) {
   for_each_object(root, "accessors", "accessor", [](std::size_t, Json& accessor) {
     reduce(accessor, kAccessor);
+    check_element(accessor);
     const auto sparse = accessor.find("sparse");
     if (sparse == accessor.end()) return;
     reduce(*sparse, kSparse);
@@ -186,7 +207,7 @@ void load_model(const Json& root, tinygltf::Model& model) {
   std::string warning;
   const bool loaded = loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                                  static_cast<unsigned int>(text.size()), "");
-  if (!loaded) fail(ErrorCode::kBadFormat, error.substr(0, error.find('\n')));
+  if (!loaded) fail(ErrorCode::kBadFormat, "tinygltf says ", quoted(error));
 }
 
 }  // namespace

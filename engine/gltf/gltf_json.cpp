@@ -96,8 +96,10 @@ Json parse_json(std::string_view text) {
   Json root;
   try {
     root = Json::parse(text);
-  } catch (const Json::exception& error) {
-    fail(ErrorCode::kBadFormat, "not a glTF file: ", error.what());
+  } catch (const Json::parse_error& error) {
+    fail(ErrorCode::kBadFormat, "not a glTF file: the JSON is wrong at byte ", error.byte);
+  } catch (const Json::exception&) {
+    fail(ErrorCode::kBadFormat, "a number of the JSON is out of range");
   }
   if (!root.is_object()) fail(ErrorCode::kBadFormat, "not a glTF file: the JSON is not an object");
   return root;

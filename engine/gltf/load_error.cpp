@@ -3,7 +3,7 @@
 namespace palpate::gltf {
 namespace {
 
-constexpr std::size_t kLongestQuote = 80;
+constexpr std::size_t kLongestQuote = 100;
 
 bool continues_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u;

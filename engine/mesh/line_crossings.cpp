@@ -5,8 +5,7 @@
 #include "engine/mesh/line_crossings.h"
 
 #include <algorithm>
-
-#include "engine/mesh/area.h"
+#include <array>
 
 namespace palpate {
 namespace {

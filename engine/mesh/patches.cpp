@@ -1,5 +1,7 @@
 #include "engine/mesh/patches.h"
 
+#include <array>
+
 namespace palpate {
 namespace {
 

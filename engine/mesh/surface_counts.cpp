@@ -1,5 +1,6 @@
 #include "engine/mesh/surface_counts.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "engine/mesh/area.h"

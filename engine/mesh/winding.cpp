@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/mesh/area.h"
 #include "engine/mesh/nesting.h"

@@ -55,6 +55,15 @@ TEST(Container, EmptyAndForeignBytesAreRefused) {
   EXPECT_EQ(code_of(read(bytes_of("glTF"))), ErrorCode::kBadFormat);
 }
 
+TEST(Container, WrongJsonIsToldByPlace) {
+  const Result<GltfScene> cut = read(bytes_of("{\"asset\": {"));
+  EXPECT_EQ(code_of(cut), ErrorCode::kBadFormat);
+  EXPECT_NE(cut.error().message.find("byte 12"), std::string::npos) << cut.error().message;
+  const Result<GltfScene> huge = read(bytes_of("{\"asset\": {\"version\": \"2.0\", \"extras\": 1e999}}"));
+  EXPECT_EQ(code_of(huge), ErrorCode::kBadFormat);
+  EXPECT_NE(huge.error().message.find("out of range"), std::string::npos) << huge.error().message;
+}
+
 TEST(Container, OtherVersionsAreUnsupported) {
   Bytes glb = triangle_builder().glb();
   glb[4] = std::byte{1};
@@ -100,6 +109,9 @@ TEST(Container, WrongJsonTypesAreRefusedByPlace) {
                         {"/accessors/0/type", 3, "accessor 0"},
                         {"/accessors/0/componentType", 5124, "accessor 0"},
                         {"/accessors/0/normalized", 1, "accessor 0"},
+                        {"/accessors/0/type", "VEC9", "accessor 0"},
+                        {"/accessors/0/componentType", 1, "accessor 0"},
+                        {"/bufferViews/0/byteStride", 6, "bufferView 0"},
                         {"/accessors", Json::object(), "accessors"},
                         {"/bufferViews/0/buffer", 4294967296, "bufferView 0"},
                         {"/buffers/0/byteLength", nullptr, "buffer 0"},

@@ -6,7 +6,8 @@ palpate_build_packages=(
   libcli11-dev nlohmann-json3-dev
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 binutils pkg-config python3 python3-numpy
+  libgtest-dev clang-format-14 binutils pkg-config
+  python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
 )
 
 missing_packages() {

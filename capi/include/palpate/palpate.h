@@ -3,24 +3,25 @@
  * @file palpate.h
  * @brief Palpate: touch triangle models. The whole C interface; compiles as C99 and as C++17.
  *
- * Units are metres, seconds, newtons and newton-metres; frames are right-handed; quaternions are x y z w. A scene may
- * be told another space (plp_space). Points, forces and poses are double precision. A coordinate, cutoff or stiffness
- * that a caller gives for a pose, query, scene or body is at most 1e15 (metres, N/m); more, infinite and NaN are
- * PLP_ERROR_INVALID_ARGUMENT.
+ * Units are metres, seconds, newtons and newton-metres; frames are right-handed; quaternions are x y z w. A
+ * scene may be told another space (plp_space). Points, forces and poses are double precision. A coordinate,
+ * cutoff or stiffness that a caller gives for a pose, query, scene or body is at most 1e15 (metres, N/m);
+ * more, infinite and NaN are PLP_ERROR_INVALID_ARGUMENT.
  *
- * **Errors.** Every function that can fail returns a plp_result: 0 is success, positive is success with a remark,
- * negative is an error. plp_last_error() has one sentence for the last error of the calling thread. After an error
- * nothing has changed and outputs are untouched, unless a function says otherwise.
+ * **Errors.** Every function that can fail returns a plp_result: 0 is success, positive is success with a
+ * remark, negative is an error. plp_last_error() has one sentence for the last error of the calling thread.
+ * After an error nothing has changed and outputs are untouched, unless a function says otherwise.
  *
- * **Growing structs.** Structs that may grow start with `struct_size`. Fill one with its `plp_*_init()` and change what
- * you need. Zero in a field that was appended later means the behaviour from before it existed.
+ * **Growing structs.** Structs that may grow start with `struct_size`. Fill one with its `plp_*_init()` and
+ * change what you need. Zero in a field that was appended later means the behaviour from before it existed.
  *
- * **Handles.** A handle is an opaque value, never an address: using one after its release, or one of another kind, is
- * PLP_ERROR_INVALID_HANDLE and never a crash. The null handle is invalid everywhere but in release functions.
+ * **Handles.** A handle is an opaque value, never an address: using one after its release, or one of another
+ * kind, is PLP_ERROR_INVALID_HANDLE and never a crash. The null handle is invalid everywhere but in release
+ * functions.
  *
- * **Thread safety** is stated for each function as one of: `any` (from any thread at any time), `object` (one thread
- * at a time for each object that is passed), `servo` (as `object`; also allocates, locks, logs and blocks never once
- * the same situation has been met before).
+ * **Thread safety** is stated for each function as one of: `any` (from any thread at any time), `object` (one
+ * thread at a time for each object that is passed), `servo` (as `object`; also allocates, locks, logs and
+ * blocks never once the same situation has been met before).
  */
 #ifndef PALPATE_PALPATE_H
 #define PALPATE_PALPATE_H
@@ -44,7 +45,8 @@ extern "C" {
 #define PLP_API __attribute__((visibility("default")))
 #endif
 
-/* ------------------------------------------------------------------------------------------------ versions, errors */
+/* ------------------------------------------------------------------------------------------------ versions,
+ * errors */
 
 #define PLP_VERSION_MAJOR 0
 #define PLP_VERSION_MINOR 1
@@ -79,8 +81,8 @@ PLP_API uint32_t plp_version(void);
  *  @threadsafety any @since 0.1 */
 PLP_API const char* plp_version_string(void);
 
-/** @brief The name of a result code, such as "PLP_ERROR_BAD_FORMAT"; "unknown result" for a value that is none.
- *  Static storage.
+/** @brief The name of a result code, such as "PLP_ERROR_BAD_FORMAT"; "unknown result" for a value that is
+ * none. Static storage.
  *  @threadsafety any @since 0.1 */
 PLP_API const char* plp_result_string(plp_result result);
 
@@ -90,10 +92,16 @@ PLP_API const char* plp_result_string(plp_result result);
 PLP_API const char* plp_last_error(void);
 
 /** How weighty a log message is. */
-typedef enum plp_log_level { PLP_LOG_ERROR = 0, PLP_LOG_WARNING = 1, PLP_LOG_INFO = 2, PLP_LOG_DEBUG = 3 } plp_log_level;
+typedef enum plp_log_level {
+  PLP_LOG_ERROR = 0,
+  PLP_LOG_WARNING = 1,
+  PLP_LOG_INFO = 2,
+  PLP_LOG_DEBUG = 3
+} plp_log_level;
 
-/** @brief Receives one log message. It may be called from any thread that calls this library, never from inside a
- *  function of thread safety `servo`. `message` is valid during the call. It must not call this library. */
+/** @brief Receives one log message. It may be called from any thread that calls this library, never from
+ * inside a function of thread safety `servo`. `message` is valid during the call. It must not call this
+ * library. */
 typedef void (*plp_log_callback)(plp_log_level level, const char* message, void* user);
 
 /** @brief Installs the one receiver of log messages; null removes it.
@@ -101,10 +109,11 @@ typedef void (*plp_log_callback)(plp_log_level level, const char* message, void*
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_set_log_callback(plp_log_callback callback, void* user);
 
-/* ------------------------------------------------------------------------------------------------------------ space */
+/* ------------------------------------------------------------------------------------------------------------
+ * space */
 
-/** A rigid pose: x ↦ rotate(orientation, x) + position. `orientation` is a quaternion x y z w; it is normalised by
- *  this library and must be finite and not zero. */
+/** A rigid pose: x ↦ rotate(orientation, x) + position. `orientation` is a quaternion x y z w; it is
+ * normalised by this library and must be finite and not zero. */
 typedef struct plp_pose {
   double position[3];
   double orientation[4];
@@ -116,18 +125,19 @@ typedef struct plp_wrench {
   double torque[3];
 } plp_wrench;
 
-/** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis the i-th
- *  axis of that space points: ±1, ±2 or ±3 for ±x, ±y or ±z, each axis once. Palpate's own is {1, 2, 3}, right-handed
- *  and, as glTF, with +y up. {-1, 2, 3} is Unity with models as UnityGLTF and glTFast load them; {1, 2, -3} Unity as
- *  OpenXR gives poses; {1, 3, -2} has z up (Blender, Panda3D). Forces stay in newtons and torques in newton-metres;
- *  under a mirror torques turn as the pseudo-vectors they are. */
+/** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis
+ * the i-th axis of that space points: ±1, ±2 or ±3 for ±x, ±y or ±z, each axis once. Palpate's own is {1, 2,
+ * 3}, right-handed and, as glTF, with +y up. {-1, 2, 3} is Unity with models as UnityGLTF and glTFast load
+ * them; {1, 2, -3} Unity as OpenXR gives poses; {1, 3, -2} has z up (Blender, Panda3D). Forces stay in
+ * newtons and torques in newton-metres; under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
   int32_t axes[3];
   int32_t reserved;       /**< 0 */
   double metres_per_unit; /**< 1e-9 to 1e9 */
 } plp_space;
 
-/* ----------------------------------------------------------------------------------------------------------- models */
+/* -----------------------------------------------------------------------------------------------------------
+ * models */
 
 /** A triangle model: immutable, reference counted, shared between scenes and threads. */
 typedef struct plp_model_t* plp_model;
@@ -135,24 +145,26 @@ typedef struct plp_model_t* plp_model;
 /** How a model is made from what comes. */
 typedef struct plp_model_options {
   uint32_t struct_size;
-  uint32_t flags;         /**< PLP_MODEL_*; an unknown one is refused */
-  double weld_tolerance;  /**< metres; 0 welds exactly equal positions only */
-  int32_t gltf_scene;     /**< index of the glTF scene; -1 for the file's default one */
+  uint32_t flags;        /**< PLP_MODEL_*; an unknown one is refused */
+  double weld_tolerance; /**< metres; 0 welds exactly equal positions only */
+  int32_t gltf_scene;    /**< index of the glTF scene; -1 for the file's default one */
   uint32_t reserved;
-  uint64_t max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000; at most 1,000,000,000 */
+  uint64_t
+      max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000; at most 1,000,000,000 */
 } plp_model_options;
 
 enum {
-  PLP_MODEL_DOUBLE_SIDED = 1, /**< both sides of every triangle are touched, also of a closed surface's inside */
-  PLP_MODEL_KEEP_WINDING = 2  /**< trust the winding as it comes: turn nothing */
+  PLP_MODEL_DOUBLE_SIDED =
+      1, /**< both sides of every triangle are touched, also of a closed surface's inside */
+  PLP_MODEL_KEEP_WINDING = 2 /**< trust the winding as it comes: turn nothing */
 };
 
 /** @brief Fills `options` with the defaults. @threadsafety any @since 0.1 */
 PLP_API void plp_model_options_init(plp_model_options* options);
 
 /**
- * @brief Loads the triangles of a .gltf or .glb file: the whole scene baked into one model. Images, textures and
- * animations are not read. External buffers come only from the file's own folder or below.
+ * @brief Loads the triangles of a .gltf or .glb file: the whole scene baked into one model. Images, textures
+ * and animations are not read. External buffers come only from the file's own folder or below.
  * @param path UTF-8. @param options null for the defaults. @param model receives the handle; release it.
  * @return PLP_ERROR_INVALID_ARGUMENT, _FILE_NOT_FOUND, _FILE_READ, _BAD_FORMAT, _UNSUPPORTED, _NO_TRIANGLES,
  * _NON_FINITE, _LIMIT, _UNSAFE_PATH or _OUT_OF_MEMORY.
@@ -162,7 +174,8 @@ PLP_API plp_result plp_model_load_file(const char* path, const plp_model_options
 
 /**
  * @brief The same from the bytes of a .gltf or .glb file. The bytes are not kept.
- * @param data the bytes, `size` of them. @param folder UTF-8; where external buffers are; null if there are none.
+ * @param data the bytes, `size` of them. @param folder UTF-8; where external buffers are; null if there are
+ * none.
  * @return as plp_model_load_file.
  * @threadsafety any @since 0.1
  */
@@ -183,18 +196,20 @@ typedef enum plp_type {
 typedef struct plp_triangles {
   uint32_t struct_size;
   uint32_t reserved;
-  const void* positions;    /**< vertex_count × 3 numbers */
-  size_t position_stride;   /**< bytes from one vertex to the next, any alignment; 0: tightly packed */
+  const void* positions;  /**< vertex_count × 3 numbers */
+  size_t position_stride; /**< bytes from one vertex to the next, any alignment; 0: tightly packed */
   size_t vertex_count;
-  const void* indices;      /**< triangle_count × 3 numbers, counter-clockwise seen from outside; null: 0, 1, 2, … */
-  size_t index_stride;      /**< bytes from one triangle to the next; 0: tightly packed */
-  size_t triangle_count;    /**< without indices it may be 0: vertex_count / 3 */
-  plp_type position_type;   /**< PLP_TYPE_FLOAT32 or PLP_TYPE_FLOAT64 */
-  plp_type index_type;      /**< PLP_TYPE_UINT8, UINT16 or UINT32; not read without indices */
-  plp_space space;          /**< of the positions; a mirrored space turns the winding */
+  const void*
+      indices; /**< triangle_count × 3 numbers, counter-clockwise seen from outside; null: 0, 1, 2, … */
+  size_t index_stride;    /**< bytes from one triangle to the next; 0: tightly packed */
+  size_t triangle_count;  /**< without indices it may be 0: vertex_count / 3 */
+  plp_type position_type; /**< PLP_TYPE_FLOAT32 or PLP_TYPE_FLOAT64 */
+  plp_type index_type;    /**< PLP_TYPE_UINT8, UINT16 or UINT32; not read without indices */
+  plp_space space;        /**< of the positions; a mirrored space turns the winding */
 } plp_triangles;
 
-/** @brief Fills `triangles`: float32 positions, uint32 indices, Palpate's space, no data. @threadsafety any @since 0.1 */
+/** @brief Fills `triangles`: float32 positions, uint32 indices, Palpate's space, no data. @threadsafety any
+ * @since 0.1 */
 PLP_API void plp_triangles_init(plp_triangles* triangles);
 
 /**
@@ -203,15 +218,15 @@ PLP_API void plp_triangles_init(plp_triangles* triangles);
  * _OUT_OF_MEMORY.
  * @threadsafety any @since 0.1
  */
-PLP_API plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const plp_model_options* options,
-                                                   plp_model* model);
+PLP_API plp_result plp_model_create_from_triangles(const plp_triangles* triangles,
+                                                   const plp_model_options* options, plp_model* model);
 
 /** @brief Adds a reference. @return PLP_ERROR_INVALID_HANDLE, or _LIMIT with 65,535 references.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_retain(plp_model model);
 
-/** @brief Gives a reference back; with the last one the handle becomes invalid. Scenes keep the models they use.
- *  Null is allowed. @return PLP_ERROR_INVALID_HANDLE. @threadsafety any @since 0.1 */
+/** @brief Gives a reference back; with the last one the handle becomes invalid. Scenes keep the models they
+ * use. Null is allowed. @return PLP_ERROR_INVALID_HANDLE. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_release(plp_model model);
 
 /** How the closed surfaces of a model wind. */
@@ -219,7 +234,7 @@ typedef enum plp_orientation {
   PLP_ORIENTATION_OPEN = 0,    /**< not closed, so there is no inside */
   PLP_ORIENTATION_OUTWARD = 1, /**< counter-clockwise seen from outside */
   PLP_ORIENTATION_INWARD = 2,
-  PLP_ORIENTATION_MIXED = 3    /**< neighbours disagree */
+  PLP_ORIENTATION_MIXED = 3 /**< neighbours disagree */
 } plp_orientation;
 
 /** Counts of a surface. Vertices are welded; edges are counted over triangles whose three corners differ. */
@@ -242,11 +257,11 @@ typedef struct plp_model_info {
   plp_surface_counts source;   /**< as it came, welded only */
   plp_surface_counts searched; /**< as it is searched, after repair */
   uint64_t stored_vertices;
-  uint64_t degenerate_triangles;   /**< dropped: two equal corners or an area of exactly zero */
-  uint64_t duplicate_triangles;    /**< dropped: the three vertices of an earlier one */
-  uint64_t split_triangles;        /**< split at the middle vertex of a dropped neighbour without area */
-  uint64_t reversed_triangles;     /**< winding turned */
-  uint64_t flipped_components;     /**< closed components that faced inward */
+  uint64_t degenerate_triangles; /**< dropped: two equal corners or an area of exactly zero */
+  uint64_t duplicate_triangles;  /**< dropped: the three vertices of an earlier one */
+  uint64_t split_triangles;      /**< split at the middle vertex of a dropped neighbour without area */
+  uint64_t reversed_triangles;   /**< winding turned */
+  uint64_t flipped_components;   /**< closed components that faced inward */
   uint64_t double_sided_triangles;
   double bounds_min[3]; /**< metres */
   double bounds_max[3]; /**< metres */
@@ -254,8 +269,8 @@ typedef struct plp_model_info {
   uint64_t mesh_bytes;  /**< memory of triangles and connectivity */
   uint64_t tree_bytes;  /**< memory of the hierarchy; 0 as long as it is not built */
   uint64_t tree_nodes;
-  double load_us;       /**< time to read, weld and repair */
-  double tree_us;       /**< time to build the hierarchy */
+  double load_us; /**< time to read, weld and repair */
+  double tree_us; /**< time to build the hierarchy */
 } plp_model_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
@@ -273,7 +288,8 @@ PLP_API const char* plp_model_note(plp_model model, uint32_t index);
  *  @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_prepare(plp_model model);
 
-/* -------------------------------------------------------------------------------------------------------- contacts */
+/* --------------------------------------------------------------------------------------------------------
+ * contacts */
 
 /** A body of one scene; 0 is none. */
 typedef uint64_t plp_body;
@@ -281,8 +297,8 @@ typedef uint64_t plp_body;
 /** What kind of place a point is on. */
 typedef enum plp_feature { PLP_FEATURE_FACE = 0, PLP_FEATURE_EDGE = 1, PLP_FEATURE_VERTEX = 2 } plp_feature;
 
-/** One local minimum distance (LMD), or one point of a plateau of equal ones. Step from one to the next in an array by
- *  plp_contacts::lmd_stride. */
+/** One local minimum distance (LMD), or one point of a plateau of equal ones. Step from one to the next in an
+ * array by plp_contacts::lmd_stride. */
 typedef struct plp_lmd {
   double point_a[3]; /**< on the first model, or on the scene */
   double point_b[3]; /**< on the second model, or on the tool */
@@ -295,8 +311,8 @@ typedef struct plp_lmd {
   uint32_t set;      /**< points of one plateau share it; 0, 1, … in order */
   uint8_t feature_a; /**< plp_feature */
   uint8_t feature_b; /**< plp_feature */
-  uint8_t corner_a;  /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k + 1);
-                          0 for a face. Turning a triangle's winding exchanges two of its corners. */
+  uint8_t corner_a; /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k
+                       + 1); 0 for a face. Turning a triangle's winding exchanges two of its corners. */
   uint8_t corner_b;
   uint32_t triangle_a; /**< a triangle that holds the feature, as numbered in the input */
   uint32_t triangle_b;
@@ -340,12 +356,14 @@ typedef struct plp_contacts {
 /** @brief Fills `contacts` with zeros and its size. @threadsafety any @since 0.1 */
 PLP_API void plp_contacts_init(plp_contacts* contacts);
 
-/* ------------------------------------------------------------------------------------------------------------ query */
+/* ------------------------------------------------------------------------------------------------------------
+ * query */
 
 /** Room for the outcome of plp_query; reuse one to avoid allocations. */
 typedef struct plp_query_result_t* plp_query_result;
 
-/** @brief Makes an empty result. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
+/** @brief Makes an empty result. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or
+ * _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_query_result_create(plp_query_result* result);
 
@@ -367,20 +385,21 @@ typedef struct plp_query_options {
 PLP_API void plp_query_options_init(plp_query_options* options);
 
 /**
- * @brief Finds every local minimum distance within the cutoff between two models at one pose, and the wrench of their
- * springs on B. Points, normals, forces and the torque are in A's frame.
+ * @brief Finds every local minimum distance within the cutoff between two models at one pose, and the wrench
+ * of their springs on B. Points, normals, forces and the torque are in A's frame.
  * @param a_from_b B's frame in A's. @param result receives the outcome; read it with plp_query_result_get.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT or _OUT_OF_MEMORY; then `result` is empty.
  * @threadsafety object (the result; models may be shared) @since 0.1
  */
-PLP_API plp_result plp_query(plp_model a, plp_model b, const plp_pose* a_from_b, const plp_query_options* options,
-                             plp_query_result result);
+PLP_API plp_result plp_query(plp_model a, plp_model b, const plp_pose* a_from_b,
+                             const plp_query_options* options, plp_query_result result);
 
 /** @brief Reads an outcome. The arrays are valid until the result is used in another plp_query or released.
  *  @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
 PLP_API plp_result plp_query_result_get(plp_query_result result, plp_contacts* contacts);
 
-/* ------------------------------------------------------------------------------------------------------------ scene */
+/* ------------------------------------------------------------------------------------------------------------
+ * scene */
 
 /** Bodies, one of which is the tool that the hand moves. */
 typedef struct plp_scene_t* plp_scene;
@@ -398,7 +417,8 @@ typedef struct plp_scene_options {
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options);
 
-/** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
+/** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or
+ * _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene);
 
@@ -418,8 +438,8 @@ typedef struct plp_body_options {
   uint32_t struct_size;
   plp_body_kind kind;
   plp_model model;
-  plp_pose pose;             /**< of the model's frame in the scene's space; a mirrored space mirrors the model, too */
-  double stiffness;          /**< N/m against the tool; 0: the scene's */
+  plp_pose pose;    /**< of the model's frame in the scene's space; a mirrored space mirrors the model, too */
+  double stiffness; /**< N/m against the tool; 0: the scene's */
   double reference_point[3]; /**< of the tool, its own frame, scene units: torques are about it */
 } plp_body_options;
 
@@ -451,14 +471,16 @@ PLP_API plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff);
 PLP_API plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness);
 
 /**
- * @brief Searches the tool against every other body that is near and computes the wrench on the tool about its
- * reference point, in the scene's space. Without a tool there are no contacts. The same inputs give the same bits.
+ * @brief Searches the tool against every other body that is near and computes the wrench on the tool about
+ * its reference point, in the scene's space. Without a tool there are no contacts. The same inputs give the
+ * same bits.
  * @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY; then the last outcome is kept.
  * @threadsafety object @since 0.1
  */
 PLP_API plp_result plp_scene_step(plp_scene scene);
 
-/** @brief Reads the outcome of the last step. The arrays are valid until the next step or the scene's release.
+/** @brief Reads the outcome of the last step. The arrays are valid until the next step or the scene's
+ * release.
  *  @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
 PLP_API plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contacts);
 

@@ -1,0 +1,35 @@
+"""Palpate: every place where one triangle model comes close to another, and the force of the springs between them.
+
+    import palpate
+
+    box = palpate.Model.load("box.glb")
+    result = palpate.query(box, box, (1.1, 0, 0, 0, 0, 0, 1), cutoff=0.2)
+    print(result.contacts["distance"], result.wrench.force)
+
+Units are metres, seconds, newtons and newton-metres; frames are right-handed; quaternions are x y z w.
+"""
+
+from . import _raw
+from ._errors import (BadFormat, Cancelled, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
+                      LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported)
+from ._records import Records
+from .contacts import Contacts, Feature, Work, Wrench
+from .log import LogLevel, set_log_callback
+from .model import Model, ModelInfo, Orientation, SurfaceCounts
+from .pose import Pose, PoseLike
+from .query import QueryResult, query
+from .scene import Body, Scene
+from .space import Space
+
+
+def version() -> str:
+    """The version of the native library, such as "0.1.0"."""
+    return str(_raw.plp_version_string().decode())
+
+
+__all__ = [
+    "BadFormat", "Body", "Cancelled", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError",
+    "InvalidArgument", "InvalidHandle", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
+    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "Space",
+    "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "query", "set_log_callback", "version",
+]
