@@ -8,7 +8,11 @@ from pathlib import Path
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
-from wheel.bdist_wheel import bdist_wheel
+
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:  # before setuptools 70.1
+    from wheel.bdist_wheel import bdist_wheel
 
 PROJECT = Path(__file__).resolve().parents[2]
 BUILT = PROJECT / "build" / "release" / "capi" / "libpalpate.so"

@@ -74,6 +74,16 @@ ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
   return best;
 }
 
+bool plane_parts(const Triangle& first, const Triangle& second, double gap) {
+  const DVec3 area = first.area_vector();
+  const DVec3 height(glm::dot(second.corner[0] - first.corner[0], area),
+                     glm::dot(second.corner[1] - first.corner[0], area),
+                     glm::dot(second.corner[2] - first.corner[0], area));
+  const double least = gap * glm::length(area);
+  return (height.x > least && height.y > least && height.z > least) ||
+         (height.x < -least && height.y < -least && height.z < -least);
+}
+
 bool triangles_cross(const Triangle& first, const Triangle& second) {
   return any_side_pierces(first, second) || any_side_pierces(second, first);
 }

@@ -21,4 +21,7 @@ ClosestPoints closest_points(const Triangle& first, const Triangle& second);
 // plane.
 bool triangles_cross(const Triangle& first, const Triangle& second);
 
+// The plane of `first` has all of `second` on one side of it, farther away than `gap`.
+bool plane_parts(const Triangle& first, const Triangle& second, double gap);
+
 }  // namespace palpate

@@ -20,7 +20,7 @@ struct Cone {
 // A narrow cone around unit directions: centred on their mean, then pulled towards the farthest one for a few
 // rounds (Bădoiu & Clarkson 2003). Whole where they do not fit into a half-space.
 inline Cone cone_around(std::span<const Vec3> directions) {
-  constexpr int kRounds = 6;
+  constexpr int kRounds = 4;
   DVec3 axis(0.0);
   for (const Vec3& direction : directions) axis += DVec3(direction);
   Cone best;

@@ -27,6 +27,7 @@ struct CleanTriangles {
 
 // Welds, drops, repairs and orients `soup`, and writes what it did into `report`.
 // Errors: kNonFinite, kInvalidArgument (index out of range, bad option), kNoTriangles.
-Result<CleanTriangles> clean_triangles(const TriangleSoup& soup, const MeshOptions& options, MeshReport& report);
+Result<CleanTriangles> clean_triangles(const TriangleSoup& soup, const MeshOptions& options,
+                                       MeshReport& report);
 
 }  // namespace palpate

@@ -8,8 +8,8 @@ namespace palpate {
 
 enum class Orientation { kOpen, kOutward, kInward, kMixed };
 
-// Counts of a surface. Vertices are welded: exactly equal positions are one vertex (−0 equals 0). Edges are counted
-// over triangles whose three welded corners differ.
+// Counts of a surface. Vertices are welded: exactly equal positions are one vertex (−0 equals 0). Edges are
+// counted over triangles whose three welded corners differ.
 struct SurfaceCounts {
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;
@@ -30,9 +30,10 @@ struct MeshReport {
   std::uint64_t stored_vertices = 0;
   std::uint64_t degenerate_triangles = 0;  // two equal corners, or an area of exactly zero
   std::uint64_t duplicate_triangles = 0;   // the same three vertices, in any order, as an earlier one
-  std::uint64_t split_triangles = 0;       // neighbours of dropped zero-area triangles, split at their middle vertex
-  std::uint64_t reversed_triangles = 0;    // winding reversed, to agree with neighbours or to face outward
-  std::uint64_t flipped_components = 0;    // closed components that faced inward
+  std::uint64_t split_triangles =
+      0;  // neighbours of dropped zero-area triangles, split at their middle vertex
+  std::uint64_t reversed_triangles = 0;  // winding reversed, to agree with neighbours or to face outward
+  std::uint64_t flipped_components = 0;  // closed components that faced inward
   std::uint64_t double_sided_triangles = 0;
   std::vector<std::string> notes;  // one sentence for each thing that was repaired, kept or skipped
 };

@@ -79,6 +79,7 @@ class Traversal {
   }
 
   bool touching(const Triangle& in_a, const Triangle& in_b) const {
+    if (plane_parts(in_a, in_b, touch_) || plane_parts(in_b, in_a, touch_)) return false;
     return triangles_cross(in_a, in_b) || closest_points(in_a, in_b).squared_distance <= touch_ * touch_;
   }
 

@@ -83,8 +83,8 @@ NodePairTest::Verdict NodePairTest::operator()(const Node& a, const Node& b) con
   gap.in_a = Vec3(placement_.point(DVec3(b.centre)) - DVec3(a.centre));
   gap.squared = glm::dot(gap.in_a, gap.in_a);
   const float b_radius = ratio_ * b.radius;
-  gap.radii = (a.radius + b_radius) * (1.0f + kRounding) + kRounding * std::sqrt(gap.squared);
-  if (gap.squared > squared(gap.radii + cutoff_)) return {false, false};
+  gap.radii = (a.radius + b_radius) * (1.0f + kRounding);
+  if (gap.squared * (1.0f - kRounding) > squared(gap.radii + cutoff_)) return {false, false};
 
   const Vec3 slack(kRounding * (a.radius + b_radius + cutoff_));
   gap.halves_in_a = a.half + magnitude_ * (ratio_ * b.half) + slack;
@@ -103,7 +103,8 @@ NodePairTest::Verdict NodePairTest::operator()(const Node& a, const Node& b) con
 bool NodePairTest::cones_miss(const Node& a, const Node& b, const Gap& gap) const {
   const Vec3 b_axis = rotation_ * -b.cone_axis;
   const Lens cone = lens_of(a.cone_axis, a.cone_cosine, a.cone_sine, b_axis, b.cone_cosine, b.cone_sine);
-  return cone.empty || squared_distance_to_sector(gap.in_a, gap.squared, cone, cutoff_) > squared(gap.radii);
+  return cone.empty || squared_distance_to_sector(gap.in_a, gap.squared, cone, cutoff_) >
+                           squared(gap.radii) + kRounding * gap.squared;
 }
 
 bool NodePairTest::swept_boxes_miss(const Node& a, const Node& b, const Gap& gap) const {

@@ -19,6 +19,10 @@ constexpr double kConeMargin = 4e-5;
 // Relative growth of float32 bounds that covers their rounding.
 constexpr double kOutward = 1.0 + 1e-6;
 
+// Above this many triangles a sphere is that of the box: visiting all corners at every level would cost n log
+// n.
+constexpr std::uint32_t kExactLeaves = 512;
+
 std::vector<std::uint32_t> leaf_triangles(const std::vector<TopologyNode>& topology) {
   std::vector<std::uint32_t> order;
   order.reserve(topology.size() / 2 + 1);
@@ -27,8 +31,11 @@ std::vector<std::uint32_t> leaf_triangles(const std::vector<TopologyNode>& topol
   return order;
 }
 
-std::uint8_t sweep(double component, double angle) {
-  const double reach = std::cos(std::max(0.0, std::acos(std::clamp(component, -1.0, 1.0)) - angle));
+// 255 · the largest component, along an axis, of the directions of a cone whose own axis has `component`
+// there.
+std::uint8_t sweep(double component, double cosine, double sine) {
+  const double across = std::sqrt(std::max(0.0, 1.0 - component * component));
+  const double reach = component >= cosine ? 1.0 : component * cosine + across * sine;
   return static_cast<std::uint8_t>(std::clamp(std::ceil(255.0 * reach + 1e-3), 0.0, 255.0));
 }
 
@@ -36,12 +43,13 @@ void set_cone(Node& node, const Cone& cone) {
   const double angle =
       cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + kConeMargin;
   const bool whole = angle > 0.5 * std::numbers::pi;
+  const double cosine = whole ? -1.0 : std::cos(angle), sine = whole ? 0.0 : std::sin(angle);
   node.cone_axis = Vec3(cone.axis);
-  node.cone_cosine = whole ? -1.0f : std::nextafter(static_cast<float>(std::cos(angle)), -1.0f);
-  node.cone_sine = whole ? 0.0f : static_cast<float>(std::sin(angle));
+  node.cone_cosine = whole ? -1.0f : std::nextafter(static_cast<float>(cosine), -1.0f);
+  node.cone_sine = static_cast<float>(sine);
   for (int k = 0; k < 3; ++k) {
-    node.sweep_high[k] = whole ? 255 : sweep(cone.axis[k], angle);
-    node.sweep_low[k] = whole ? 255 : sweep(-cone.axis[k], angle);
+    node.sweep_high[k] = sweep(cone.axis[k], cosine, sine);
+    node.sweep_low[k] = sweep(-cone.axis[k], cosine, sine);
   }
 }
 
@@ -61,30 +69,48 @@ class NodeFiller {
       if (topology_[i].link & Node::kLeaf) --rank;
       const std::uint32_t leaves = (topology_[i].end - i + 1) / 2;
       nodes_[i].link = topology_[i].link;
-      fill_bounds(nodes_[i], rank, rank + leaves);
+      fill_bounds(i, rank, rank + leaves);
       fill_cone(i, rank, rank + leaves);
     }
   }
 
  private:
-  // `rank` of an inner node is that of its first leaf: it is visited right after that leaf.
-  void fill_bounds(Node& node, std::uint32_t first, std::uint32_t end) const {
-    Box box;
-    for_corners(first, end, [&](const DVec3& corner) { box.grow(corner); });
+  // `first` of an inner node is the rank of its first leaf: it is visited right after that leaf.
+  void fill_bounds(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
+    Node& node = nodes_[i];
+    const Box box = node.is_leaf() ? box_of(first) : united(nodes_[i + 1], nodes_[node.second_child()]);
     node.centre = Vec3(box.centre());
     const DVec3 centre(node.centre);
-    node.half = Vec3(kOutward * glm::max(box.high - centre, centre - box.low));
-    double squared = 0.0;
-    for_corners(first, end, [&](const DVec3& corner) {
-      squared = std::max(squared, glm::dot(corner - centre, corner - centre));
-    });
-    node.radius = static_cast<float>(kOutward * std::sqrt(squared));
+    const DVec3 half = glm::max(box.high - centre, centre - box.low);
+    node.half = Vec3(kOutward * half);
+    node.radius = static_cast<float>(
+        kOutward * (end - first > kExactLeaves ? glm::length(half) : reach(centre, first, end)));
   }
 
-  template <class Visit>
-  void for_corners(std::uint32_t first, std::uint32_t end, const Visit& visit) const {
+  Box box_of(std::uint32_t rank) const {
+    Box box;
+    for (std::uint32_t vertex : mesh_.triangles[order_[rank]]) box.grow(mesh_.position(vertex));
+    return box;
+  }
+
+  static Box united(const Node& one, const Node& other) {
+    Box box;
+    for (const Node* node : {&one, &other}) {
+      box.grow(DVec3(node->centre) - DVec3(node->half));
+      box.grow(DVec3(node->centre) + DVec3(node->half));
+    }
+    return box;
+  }
+
+  // The distance of the farthest corner from `centre`.
+  double reach(const DVec3& centre, std::uint32_t first, std::uint32_t end) const {
+    double squared = 0.0;
     for (std::uint32_t rank = first; rank < end; ++rank)
-      for (std::uint32_t vertex : mesh_.triangles[order_[rank]]) visit(mesh_.position(vertex));
+      for (std::uint32_t vertex : mesh_.triangles[order_[rank]]) {
+        const DVec3 arm = mesh_.position(vertex) - centre;
+        squared = std::max(squared, glm::dot(arm, arm));
+      }
+    return std::sqrt(squared);
   }
 
   void fill_cone(std::uint32_t i, std::uint32_t first, std::uint32_t end) {

@@ -42,7 +42,7 @@ class ProvokedTest(unittest.TestCase):
     def test_invalid_argument(self):
         for cutoff in (math.nan, -1.0, 0.0, math.inf):
             self.expect(palpate.InvalidArgument, "cutoff", palpate.query, box(), box(), IDENTITY, cutoff)
-        self.expect(palpate.InvalidArgument, "pose", palpate.query, box(), box(), (math.nan, 0, 0, 0, 0, 0, 1), 1.0)
+        self.expect(palpate.InvalidArgument, "position", palpate.query, box(), box(), (math.nan, 0, 0, 0, 0, 0, 1), 1.0)
         self.expect(palpate.InvalidArgument, "stiffness", palpate.query, box(), box(), IDENTITY, 1.0, stiffness=-1.0)
         self.expect(palpate.InvalidArgument, "indices|vertex", palpate.Model.from_arrays, BOX_CORNERS, [[0, 1, 8]])
 

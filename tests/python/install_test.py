@@ -3,7 +3,6 @@
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 import venv
@@ -35,6 +34,13 @@ def plain_environment(**changes):
 
 
 class InstallTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """An environment with a pip of its own, and Debian's setuptools and wheel."""
+        cls.environment = Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        venv.create(cls.environment, with_pip=True, system_site_packages=True)
+        cls.python = cls.environment / "bin" / "python"
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -45,7 +51,7 @@ class InstallTest(unittest.TestCase):
 
     def pip_wheel(self, **environment):
         return subprocess.run(
-            [sys.executable, "-m", "pip", "wheel", "--no-index", "--no-build-isolation", "--no-deps", "--wheel-dir",
+            [self.python, "-m", "pip", "wheel", "--no-index", "--no-build-isolation", "--no-deps", "--wheel-dir",
              self.folder, self.tree / "bindings" / "python"],
             env=plain_environment(**environment), cwd=self.folder, capture_output=True, text=True)
 
@@ -61,16 +67,14 @@ class InstallTest(unittest.TestCase):
         wheel = self.assert_wheel_has_library(self.pip_wheel(PALPATE_LIBRARY=str(LIBRARY)))
         self.assertRegex(wheel.name, r"^palpate-0\.1\.0-py3-none-linux_\w+\.whl$")
         shutil.rmtree(self.tree)
-        venv.create(self.folder / "venv", with_pip=True)
-        python = self.folder / "venv" / "bin" / "python"
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", wheel],
+        subprocess.run([self.python, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", wheel],
                        env=plain_environment(), cwd=self.folder, check=True)
         preload = {name: os.environ[name] for name in ("LD_PRELOAD",) if name in os.environ}
-        done = subprocess.run([python, "-c", QUERY], env=plain_environment(**preload), cwd=self.folder,
+        done = subprocess.run([self.python, "-c", QUERY], env=plain_environment(**preload), cwd=self.folder,
                               capture_output=True, text=True)
         force, name = done.stdout.split()
         self.assertEqual(float(force), 100.0, done.stderr)
-        self.assertTrue(Path(name).is_relative_to(self.folder / "venv"), name)
+        self.assertTrue(Path(name).is_relative_to(self.environment), name)
 
     def test_the_release_build_is_taken(self):
         built = self.tree / "build" / "release" / "capi"

@@ -1,6 +1,7 @@
 """Arrays of C structs, viewed where they are: as a numpy structured array, or without numpy as a sequence."""
 
 import ctypes
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -94,10 +95,15 @@ class _ArrayInterface:
         }
 
 
+@functools.cache
+def _dtype(struct: type[ctypes.Structure]) -> Any:
+    return numpy.dtype(struct)
+
+
 def view(span: Span) -> Records:
     if numpy is None:
         return RecordView(span)
-    dtype = numpy.dtype(span.struct)
+    dtype = _dtype(span.struct)
     if span.count == 0:
         return numpy.empty(0, dtype)  # type: ignore[no-any-return]
     return numpy.asarray(_ArrayInterface(span)).view(dtype)  # type: ignore[no-any-return]

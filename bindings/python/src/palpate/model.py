@@ -164,4 +164,4 @@ class Model(Closing):
         return info
 
     def __repr__(self) -> str:
-        return f"<palpate.Model of {self.info.searched.triangles} triangles>" if self._handle else "<palpate.Model, closed>"
+        return f"<palpate.Model, {f'{self.info.searched.triangles} triangles' if self._handle else 'closed'}>"
