@@ -61,10 +61,12 @@ class InputTest(unittest.TestCase):
 
     def test_other_layouts_give_the_same_model(self):
         corners, triangles = numpy.array(BOX_CORNERS), numpy.array(BOX_TRIANGLES)
+        apart = numpy.full((8, 6), 9.0)
+        apart[:, ::2] = corners
         layouts = [(corners[::-1], 7 - triangles), (numpy.asfortranarray(corners), triangles),
                    (corners.astype(">f4"), triangles.astype(">u2")), (corners.astype(numpy.float16), triangles),
                    ((2 * corners).astype(int), triangles.astype(numpy.uint64)),
-                   (numpy.broadcast_to(corners, (1, 8, 3))[0], numpy.asfortranarray(triangles.astype(numpy.uint8)))]
+                   (apart[:, ::2], numpy.asfortranarray(triangles.astype(numpy.uint8)))]
         for positions, indices in layouts:
             info = palpate.Model.from_arrays(positions, indices).info
             self.assertEqual((info.source.vertices, info.source.watertight), (8, True))
