@@ -13,20 +13,28 @@ double clamp_unit(double x) {
   return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
 }
 
-void keep_closer(ClosestPoints& best, const DVec3& on_first, const DVec3& on_second) {
+void keep_closer(ClosestPoints& best, const DVec3& on_first, const DVec3& on_second,
+                 TrianglePlace first_place, TrianglePlace second_place) {
   const DVec3 between = on_second - on_first;
   const double squared = glm::dot(between, between);
-  if (squared < best.squared_distance) best = {squared, on_first, on_second};
+  if (squared < best.squared_distance) best = {squared, on_first, on_second, first_place, second_place};
 }
 
-void compare_segments(ClosestPoints& best, const DVec3& p, const DVec3& u, const DVec3& q, const DVec3& v) {
+TrianglePlace place_on_side(int side, double parameter) {
+  const int code = parameter <= 0.0 ? side : parameter >= 1.0 ? (side + 1) % 3 : 3 + side;
+  return {static_cast<std::uint8_t>(code)};
+}
+
+void compare_sides(ClosestPoints& best, const Triangle& first, int i, const Triangle& second, int j) {
+  const DVec3 u = first.along(i), v = second.along(j);
   const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
-  const DVec3 between = q - p;
-  const LinePair lines(p, u, q, v);
+  const DVec3 between = second.start(j) - first.start(i);
+  const LinePair lines(first.start(i), u, second.start(j), v);
   double s = clamp_unit(lines.s);
   const double t = clamp_unit((s * uv - glm::dot(between, v)) / vv);
   s = clamp_unit((t * uv + glm::dot(between, u)) / uu);
-  keep_closer(best, p + s * u, q + t * v);
+  keep_closer(best, first.start(i) + s * u, second.start(j) + t * v, place_on_side(i, s),
+              place_on_side(j, t));
 }
 
 // The foot of `point` in the plane of `triangle` lies inside the triangle.
@@ -40,10 +48,12 @@ void compare_corners(ClosestPoints& best, const Triangle& face, const Triangle& 
   const DVec3 area = face.area_vector();
   const double area_squared = glm::dot(area, area);
   if (!(area_squared > 0)) return;
-  for (const DVec3& corner : corners.corner) {
+  const TrianglePlace on_face{TrianglePlace::kFace};
+  for (std::uint8_t k = 0; k < 3; ++k) {
+    const DVec3& corner = corners.corner[k];
     if (!over_face(face, area, corner)) continue;
     const DVec3 foot = corner - area * (glm::dot(corner - face.corner[0], area) / area_squared);
-    swapped ? keep_closer(best, corner, foot) : keep_closer(best, foot, corner);
+    swapped ? keep_closer(best, corner, foot, {k}, on_face) : keep_closer(best, foot, corner, on_face, {k});
   }
 }
 
@@ -62,18 +72,7 @@ bool any_side_pierces(const Triangle& sides, const Triangle& triangle) {
   return false;
 }
 
-}  // namespace
-
-ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
-  ClosestPoints best{std::numeric_limits<double>::infinity(), first.corner[0], second.corner[0]};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      compare_segments(best, first.start(i), first.along(i), second.start(j), second.along(j));
-  compare_corners(best, first, second, false);
-  compare_corners(best, second, first, true);
-  return best;
-}
-
+// The plane of `first` has all of `second` on one side of it, farther away than `gap`.
 bool plane_parts(const Triangle& first, const Triangle& second, double gap) {
   const DVec3 area = first.area_vector();
   const DVec3 height(glm::dot(second.corner[0] - first.corner[0], area),
@@ -84,8 +83,31 @@ bool plane_parts(const Triangle& first, const Triangle& second, double gap) {
          (height.x < -least && height.y < -least && height.z < -least);
 }
 
+}  // namespace
+
+ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
+  ClosestPoints best{std::numeric_limits<double>::infinity(), first.corner[0], second.corner[0], {0}, {0}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) compare_sides(best, first, i, second, j);
+  compare_corners(best, first, second, false);
+  compare_corners(best, second, first, true);
+  return best;
+}
+
 bool triangles_cross(const Triangle& first, const Triangle& second) {
   return any_side_pierces(first, second) || any_side_pierces(second, first);
+}
+
+bool triangles_touch(const Triangle& first, const Triangle& second, double gap) {
+  if (plane_parts(first, second, gap) || plane_parts(second, first, gap)) return false;
+  return triangles_cross(first, second) || closest_points(first, second).squared_distance <= gap * gap;
+}
+
+bool triangles_touch(const Triangle& first, const Triangle& second, const ClosestPoints& closest,
+                     double gap) {
+  if (closest.squared_distance <= gap * gap) return true;
+  if (plane_parts(first, second, gap) || plane_parts(second, first, gap)) return false;
+  return triangles_cross(first, second);
 }
 
 }  // namespace palpate

@@ -1,14 +1,28 @@
 #pragma once
 
-#include "engine/kernel/triangle.h"
+#include <cstdint>
+
+#include "engine/math/triangle.h"
 
 namespace palpate {
 
-// The closest points of two triangles.
+// A place of a triangle: corner k is k, side k (from corner k to corner k + 1) is 3 + k, the face is 6.
+struct TrianglePlace {
+  std::uint8_t code;
+
+  static constexpr std::uint8_t kFace = 6;
+  bool is_corner() const { return code < 3; }
+  bool is_side() const { return code >= 3 && code < kFace; }
+  int side() const { return code - 3; }
+};
+
+// The closest points of two triangles, and on which place of each they lie.
 struct ClosestPoints {
   double squared_distance;
   DVec3 on_first;
   DVec3 on_second;
+  TrianglePlace first_place;
+  TrianglePlace second_place;
 };
 
 // The closest points of two triangles that do not cross: of all edge pairs and of all corners over the
@@ -21,7 +35,8 @@ ClosestPoints closest_points(const Triangle& first, const Triangle& second);
 // plane.
 bool triangles_cross(const Triangle& first, const Triangle& second);
 
-// The plane of `first` has all of `second` on one side of it, farther away than `gap`.
-bool plane_parts(const Triangle& first, const Triangle& second, double gap);
+// The triangles cross or come closer than `gap`. The second form spares measuring again.
+bool triangles_touch(const Triangle& first, const Triangle& second, double gap);
+bool triangles_touch(const Triangle& first, const Triangle& second, const ClosestPoints& closest, double gap);
 
 }  // namespace palpate

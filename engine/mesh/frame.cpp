@@ -12,6 +12,7 @@ double origin_of(double low, double high) {
   const double nearest = low > 0 ? low : high < 0 ? -high : 0.0;
   if (nearest == 0 || nearest < 0.5 * (high - low)) return 0.0;
   const double grid = std::ldexp(1.0, std::ilogb(nearest) - 23);
+  if (grid == 0) return 0.0;  // below the range of double
   return std::round(0.5 * (low + high) / grid) * grid;
 }
 

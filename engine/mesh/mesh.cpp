@@ -111,6 +111,18 @@ std::size_t Mesh::bytes() const {
          bytes_of(vertex_flags);
 }
 
+std::span<const std::uint32_t> triangles_at(const Mesh& mesh, const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::kEdge:
+      return mesh.edge_triangles[feature.index];
+    case FeatureKind::kVertex:
+      return mesh.vertex_triangles[feature.index];
+    case FeatureKind::kFace:
+      break;
+  }
+  return {&feature.index, 1};
+}
+
 Result<Mesh> build_mesh(const TriangleSoup& soup, const MeshOptions& options) {
   Mesh mesh;
   Result<CleanTriangles> clean = clean_triangles(soup, options, mesh.report);

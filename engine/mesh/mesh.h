@@ -65,6 +65,9 @@ struct Mesh {
   std::size_t bytes() const;  // memory of all arrays
 };
 
+// The triangles that hold a feature, ascending. For a face the span is of `feature` itself.
+std::span<const std::uint32_t> triangles_at(const Mesh& mesh, const Feature& feature);
+
 // Cleans `soup` and connects it. Errors as clean_triangles.
 Result<Mesh> build_mesh(const TriangleSoup& soup, const MeshOptions& options);
 

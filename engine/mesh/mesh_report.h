@@ -33,7 +33,7 @@ struct MeshReport {
   std::uint64_t split_triangles =
       0;  // neighbours of dropped zero-area triangles, split at their middle vertex
   std::uint64_t reversed_triangles = 0;  // winding reversed, to agree with neighbours or to face outward
-  std::uint64_t flipped_components = 0;  // closed components that faced inward
+  std::uint64_t flipped_components = 0;  // closed components that faced the wrong way
   std::uint64_t double_sided_triangles = 0;
   std::vector<std::string> notes;  // one sentence for each thing that was repaired, kept or skipped
 };

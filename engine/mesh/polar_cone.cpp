@@ -117,6 +117,23 @@ double edge_violation(const Mesh& mesh, std::uint32_t edge, const DVec3& u) {
   return most;
 }
 
+Lean lean_at(const Mesh& mesh, Feature feature, const DVec3& u) {
+  if (feature.kind == FeatureKind::kFace) return {0.0, feature.index};
+  Lean most{-1.0, 0};
+  const auto keep_larger = [&most](double amount, std::uint32_t triangle) {
+    if (amount > most.amount) most = {amount, triangle};
+  };
+  if (feature.kind == FeatureKind::kEdge) {
+    for (std::uint32_t triangle : mesh.edge_triangles[feature.index])
+      keep_larger(glm::dot(inward(mesh, feature.index, triangle), u), triangle);
+    return most;
+  }
+  for (std::uint32_t triangle : mesh.vertex_triangles[feature.index])
+    for (std::uint32_t corner : mesh.triangles[triangle])
+      if (corner != feature.index) keep_larger(glm::dot(direction(mesh, feature.index, corner), u), triangle);
+  return most;
+}
+
 DVec3 area_vector(const Mesh& mesh, std::uint32_t triangle) {
   const TriangleIndices& corners = mesh.triangles[triangle];
   const DVec3 origin = mesh.position(corners[0]);

@@ -15,6 +15,16 @@ double vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& u);
 // The same at an edge, for a u at right angles to it.
 double edge_violation(const Mesh& mesh, std::uint32_t edge, const DVec3& u);
 
+// How far a direction leans outside a polar cone, and the triangle that holds the direction of the largest
+// lean.
+struct Lean {
+  double amount;  // as the violations
+  std::uint32_t triangle;
+};
+
+// Of a face, in whose polar cone its normal alone lies, the lean is 0: closest points on a face are along it.
+Lean lean_at(const Mesh& mesh, Feature feature, const DVec3& u);
+
 // Angle-weighted pseudonormals (Bærentzen & Aanæs 2005), not of unit length: u leaves the solid where u·N >
 // 0.
 DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex);

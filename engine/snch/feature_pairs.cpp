@@ -36,38 +36,32 @@ struct FeaturePairTest::Candidate {
   bool test_first;   // against its polar cone: a face's own normal needs none
 };
 
-FeaturePairTest::FeaturePairTest(const Model& a, const Model& b, const Placement& placement,
+FeaturePairTest::FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& placement,
                                  const Limits& limits, std::vector<Minimum>& found)
-    : placement_(placement),
-      limits_(limits),
-      a_{a.mesh(), a.tree(), false},
-      b_{b.mesh(), b.tree(), true},
-      found_(found) {}
+    : placement_(placement), limits_(limits), a_{a, false}, b_{b, true}, found_(found) {}
 
-void FeaturePairTest::operator()(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
-                                 const Triangle& in_b) {
-  test_corners_and_face(b_, b, in_b, a_, a, in_a);
-  test_corners_and_face(a_, a, in_a, b_, b, in_b);
-  test_edges(a, in_a, b, in_b);
-  test_corners_and_edges(b_, b, in_b, a_, a, in_a);
-  test_corners_and_edges(a_, a, in_a, b_, b, in_b);
-  test_corners(a, in_a, b, in_b);
+void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b) {
+  test_corners_and_face(b_, b, a_, a);
+  test_corners_and_face(a_, a, b_, b);
+  test_edges(a, b);
+  test_corners_and_edges(b_, b, a_, a);
+  test_corners_and_edges(a_, a, b_, b);
+  test_corners(a, b);
 }
 
-void FeaturePairTest::test_corners_and_face(const Side& corner_side, std::uint32_t corners_of,
-                                            const Triangle& corners, const Side& face_side,
-                                            std::uint32_t face, const Triangle& triangle) {
-  const unsigned owned = corner_side.tree.owned(corners_of).corners;
-  if (!owned) return;
+void FeaturePairTest::test_corners_and_face(const Side& corner_side, const TestedTriangle& corners,
+                                            const Side& face_side, const TestedTriangle& face) {
+  if (!corners.corners) return;
+  const Triangle& triangle = face.shape;
   const DVec3 area = triangle.area_vector();
   const DVec3 face_normal = area / glm::length(area);
   for (int k = 0; k < 3; ++k) {
-    if (!(owned & (1u << k))) continue;
-    const DVec3& corner = corners.corner[k];
+    if (!(corners.corners & (1u << k))) continue;
+    const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], face_normal);
     const double distance = std::abs(height);
     if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-    if (height < 0 && !face_side.mesh.double_sided[face]) continue;
+    if (height < 0 && !face_side.mesh.double_sided[face.index]) continue;
     double margin = limits_.cutoff;
     for (int side = 0; side < 3; ++side) {
       const DVec3 along = triangle.along(side);
@@ -76,120 +70,109 @@ void FeaturePairTest::test_corners_and_face(const Side& corner_side, std::uint32
       margin = std::min(margin, inside + kEndSlack * length);
     }
     if (margin < 0) continue;
-    Candidate candidate{face_side,
-                        corner_side,
-                        {FeatureKind::kFace, face},
-                        {FeatureKind::kVertex, corner_side.mesh.triangles[corners_of][k]},
-                        corner - face_normal * height,
-                        corner,
-                        height < 0 ? -face_normal : face_normal,
-                        distance,
-                        margin,
-                        limits_.parallel_tolerance,
-                        false};
-    admit(candidate);
+    admit({face_side,
+           corner_side,
+           {FeatureKind::kFace, face.index},
+           {FeatureKind::kVertex, corner_side.mesh.triangles[corners.index][k]},
+           corner - face_normal * height,
+           corner,
+           height < 0 ? -face_normal : face_normal,
+           distance,
+           margin,
+           limits_.parallel_tolerance,
+           false});
   }
 }
 
-void FeaturePairTest::test_edges(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
-                                 const Triangle& in_b) {
-  const unsigned owned_a = a_.tree.owned(a).sides, owned_b = b_.tree.owned(b).sides;
+void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b) {
   for (int i = 0; i < 3; ++i) {
-    if (!(owned_a & (1u << i))) continue;
+    if (!(a.sides & (1u << i))) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(owned_b & (1u << j))) continue;
-      const DVec3 u = in_a.along(i), v = in_b.along(j);
-      const LinePair lines(in_a.start(i), u, in_b.start(j), v);
+      if (!(b.sides & (1u << j))) continue;
+      const DVec3 u = a.shape.along(i), v = b.shape.along(j);
+      const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
+      const LinePair lines(start_a, u, start_b, v);
       if (!lines.inclined(u, v, kParallel)) continue;
       const double end = std::min(std::min(lines.s, 1 - lines.s) * glm::length(u),
                                   std::min(lines.t, 1 - lines.t) * glm::length(v));
       if (!(end >= -kEndSlack * (glm::length(u) + glm::length(v)))) continue;
       const DVec3 unit = lines.normal / std::sqrt(lines.normal_squared);
-      const double height = glm::dot(in_b.start(j) - in_a.start(i), unit);
+      const double height = glm::dot(start_b - start_a, unit);
       const double distance = std::abs(height);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      Candidate candidate{a_,
-                          b_,
-                          {FeatureKind::kEdge, a_.mesh.triangle_edges[a][i]},
-                          {FeatureKind::kEdge, b_.mesh.triangle_edges[b][j]},
-                          in_a.start(i) + lines.s * u,
-                          in_b.start(j) + lines.t * v,
-                          height < 0 ? -unit : unit,
-                          distance,
-                          end,
-                          limits_.parallel_tolerance,
-                          true};
-      admit(candidate);
+      admit({a_,
+             b_,
+             {FeatureKind::kEdge, a_.mesh.triangle_edges[a.index][i]},
+             {FeatureKind::kEdge, b_.mesh.triangle_edges[b.index][j]},
+             start_a + lines.s * u,
+             start_b + lines.t * v,
+             height < 0 ? -unit : unit,
+             distance,
+             end,
+             limits_.parallel_tolerance,
+             true});
     }
   }
 }
 
-void FeaturePairTest::test_corners_and_edges(const Side& corner_side, std::uint32_t corners_of,
-                                             const Triangle& corners, const Side& edge_side,
-                                             std::uint32_t edges_of, const Triangle& edges) {
-  const unsigned owned_corners = corner_side.tree.owned(corners_of).corners;
-  const unsigned owned_sides = edge_side.tree.owned(edges_of).sides;
-  if (!owned_corners || !owned_sides) return;
+void FeaturePairTest::test_corners_and_edges(const Side& corner_side, const TestedTriangle& corners,
+                                             const Side& edge_side, const TestedTriangle& edges) {
+  if (!corners.corners) return;
   for (int j = 0; j < 3; ++j) {
-    if (!(owned_sides & (1u << j))) continue;
-    const DVec3 along = edges.along(j);
+    if (!(edges.sides & (1u << j))) continue;
+    const DVec3 along = edges.shape.along(j);
     const double length = glm::length(along);
     for (int k = 0; k < 3; ++k) {
-      if (!(owned_corners & (1u << k))) continue;
-      const DVec3& corner = corners.corner[k];
-      const double place = glm::dot(corner - edges.start(j), along) / length;
+      if (!(corners.corners & (1u << k))) continue;
+      const DVec3& corner = corners.shape.corner[k];
+      const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
       if (end < -kEndSlack * length) continue;
-      const DVec3 foot = edges.start(j) + along * (place / length);
+      const DVec3 foot = edges.shape.start(j) + along * (place / length);
       const DVec3 between = corner - foot;
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      Candidate candidate{edge_side,
-                          corner_side,
-                          {FeatureKind::kEdge, edge_side.mesh.triangle_edges[edges_of][j]},
-                          {FeatureKind::kVertex, corner_side.mesh.triangles[corners_of][k]},
-                          foot,
-                          corner,
-                          between / distance,
-                          distance,
-                          end,
-                          limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
-                          true};
-      admit(candidate);
+      admit({edge_side,
+             corner_side,
+             {FeatureKind::kEdge, edge_side.mesh.triangle_edges[edges.index][j]},
+             {FeatureKind::kVertex, corner_side.mesh.triangles[corners.index][k]},
+             foot,
+             corner,
+             between / distance,
+             distance,
+             end,
+             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
+             true});
     }
   }
 }
 
-void FeaturePairTest::test_corners(std::uint32_t a, const Triangle& in_a, std::uint32_t b,
-                                   const Triangle& in_b) {
-  const unsigned owned_a = a_.tree.owned(a).corners, owned_b = b_.tree.owned(b).corners;
+void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b) {
   for (int i = 0; i < 3; ++i) {
-    if (!(owned_a & (1u << i))) continue;
+    if (!(a.corners & (1u << i))) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(owned_b & (1u << j))) continue;
-      const DVec3 between = in_b.corner[j] - in_a.corner[i];
+      if (!(b.corners & (1u << j))) continue;
+      const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      Candidate candidate{a_,
-                          b_,
-                          {FeatureKind::kVertex, a_.mesh.triangles[a][i]},
-                          {FeatureKind::kVertex, b_.mesh.triangles[b][j]},
-                          in_a.corner[i],
-                          in_b.corner[j],
-                          between / distance,
-                          distance,
-                          limits_.cutoff,
-                          limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
-                          true};
-      admit(candidate);
+      admit({a_,
+             b_,
+             {FeatureKind::kVertex, a_.mesh.triangles[a.index][i]},
+             {FeatureKind::kVertex, b_.mesh.triangles[b.index][j]},
+             a.shape.corner[i],
+             b.shape.corner[j],
+             between / distance,
+             distance,
+             limits_.cutoff,
+             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
+             true});
     }
   }
 }
 
 // Section by section the definition of a local minimum distance: minimal on both sides, outward on both
 // sides.
-bool FeaturePairTest::admit(Candidate& candidate) const {
-  const Candidate& c = candidate;
+bool FeaturePairTest::admit(const Candidate& c) const {
   const double second = violation(c.second, c.second_feature, -c.normal);
   if (second > c.tolerance) return false;
   const double first = c.test_first ? violation(c.first, c.first_feature, c.normal) : second;

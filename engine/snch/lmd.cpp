@@ -10,4 +10,12 @@ void LmdSet::clear() {
   work = {};
 }
 
+void to_metres(const ModelFrame& frame, LmdSet& found) {
+  for (Lmd& lmd : found.lmds) {
+    lmd.point_a = frame.metres(lmd.point_a);
+    lmd.point_b = frame.metres(lmd.point_b);
+    lmd.distance *= frame.scale;
+  }
+}
+
 }  // namespace palpate

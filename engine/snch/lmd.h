@@ -48,4 +48,7 @@ struct LmdSet {
   void clear();
 };
 
+// Takes LMDs from the normalised frame of model A to metres.
+void to_metres(const ModelFrame& frame, LmdSet& found);
+
 }  // namespace palpate

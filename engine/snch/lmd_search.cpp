@@ -10,10 +10,6 @@
 namespace palpate {
 namespace {
 
-// Surfaces no farther apart than this (A's normalised frame, coordinates of about 1) touch: it is five times
-// the rounding of a transformed point.
-constexpr double kTouch = 1e-14;
-
 // Pairs of nodes still to be visited, and for what.
 struct NodePair {
   std::uint32_t a;
@@ -33,14 +29,12 @@ class Traversal {
         a_mesh_(a.mesh()),
         b_mesh_(b.mesh()),
         placement_(placement),
-        touch_(touch(placement)),
+        touch_(touching_distance(placement)),
         max_overlaps_(options.max_overlaps),
         node_test_(placement, cutoff),
-        feature_test_(a, b, placement, {cutoff, touch_, options.parallel_tolerance}, minima),
+        feature_test_(a.mesh(), b.mesh(), placement, {cutoff, touch_, options.parallel_tolerance}, minima),
         stack_(stack),
         found_(found) {}
-
-  static double touch(const Placement& placement) { return kTouch * std::max(1.0, placement.ratio); }
 
   void run() {
     stack_.assign(1, {0, 0, true, true});
@@ -72,15 +66,11 @@ class Traversal {
 
   void test_triangles(std::uint32_t a, std::uint32_t b, const NodePair& pair) {
     ++found_.work.triangle_pairs;
-    const Triangle in_a = triangle_of(a_mesh_, a);
-    const Triangle in_b = triangle_of(b_mesh_, b, placement_);
-    if (pair.contact && touching(in_a, in_b)) add_overlap(a, b);
-    if (pair.minimum) feature_test_(a, in_a, b, in_b);
-  }
-
-  bool touching(const Triangle& in_a, const Triangle& in_b) const {
-    if (plane_parts(in_a, in_b, touch_) || plane_parts(in_b, in_a, touch_)) return false;
-    return triangles_cross(in_a, in_b) || closest_points(in_a, in_b).squared_distance <= touch_ * touch_;
+    const OwnedFeatures of_a = a_.owned(a), of_b = b_.owned(b);
+    const TestedTriangle tested_a{a, triangle_of(a_mesh_, a), of_a.corners, of_a.sides};
+    const TestedTriangle tested_b{b, triangle_of(b_mesh_, b, placement_), of_b.corners, of_b.sides};
+    if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_)) add_overlap(a, b);
+    if (pair.minimum) feature_test_(tested_a, tested_b);
   }
 
   void add_overlap(std::uint32_t a, std::uint32_t b) {
@@ -100,14 +90,6 @@ class Traversal {
   std::vector<NodePair>& stack_;
   LmdSet& found_;
 };
-
-void to_metres(const ModelFrame& frame, LmdSet& found) {
-  for (Lmd& lmd : found.lmds) {
-    lmd.point_a = frame.metres(lmd.point_a);
-    lmd.point_b = frame.metres(lmd.point_b);
-    lmd.distance *= frame.scale;
-  }
-}
 
 }  // namespace
 
@@ -131,7 +113,7 @@ void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const 
   Traversal(a, b, placement, options.cutoff / frame.scale, options, memory_->stack, memory_->minima, found)
       .run();
   std::sort(found.overlaps.begin(), found.overlaps.end());
-  memory_->grouper.group(a.mesh(), b.mesh(), {Traversal::touch(placement), options.parallel_tolerance},
+  memory_->grouper.group(a.mesh(), b.mesh(), {touching_distance(placement), options.parallel_tolerance},
                          memory_->minima, found);
   to_metres(frame, found);
 }

@@ -2,7 +2,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "engine/snch/placement.h"
+#include "engine/mesh/placement.h"
 #include "engine/snch/tree.h"
 
 namespace palpate {

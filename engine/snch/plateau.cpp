@@ -5,26 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <tuple>
 
 namespace palpate {
 namespace {
 
 constexpr std::size_t kMaxPoints = 8;
-
-// The triangles of a mesh that hold a feature.
-std::span<const std::uint32_t> triangles_at(const Mesh& mesh, const Feature& feature) {
-  switch (feature.kind) {
-    case FeatureKind::kEdge:
-      return mesh.edge_triangles[feature.index];
-    case FeatureKind::kVertex:
-      return mesh.vertex_triangles[feature.index];
-    case FeatureKind::kFace:
-      break;
-  }
-  return {&feature.index, 1};
-}
 
 // The better of two minima at one place: less lean, then the lower features.
 auto merit(const Minimum& m) {

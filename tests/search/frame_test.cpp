@@ -27,7 +27,7 @@ TEST(ModelFrame, KeepsEveryBitOfFloat32) {
 }
 
 TEST(ModelFrame, KeepsFlatModelsFlat) {
-  for (double height : {0.0, 3.0, -0.1f * 1e6}) {
+  for (double height : {0.0, 3.0, -0.1f * 1e6, 1e-320}) {
     Box box;
     box.grow(DVec3(0, 0, height));
     box.grow(DVec3(1, 2, height));

@@ -261,7 +261,7 @@ typedef struct plp_model_info {
   uint64_t duplicate_triangles;  /**< dropped: the three vertices of an earlier one */
   uint64_t split_triangles;      /**< split at the middle vertex of a dropped neighbour without area */
   uint64_t reversed_triangles;   /**< winding turned */
-  uint64_t flipped_components;   /**< closed components that faced inward */
+  uint64_t flipped_components;   /**< closed components that faced the wrong way */
   uint64_t double_sided_triangles;
   double bounds_min[3]; /**< metres */
   double bounds_max[3]; /**< metres */

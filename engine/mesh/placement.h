@@ -1,7 +1,9 @@
 #pragma once
 
-#include "engine/kernel/triangle.h"
+#include <algorithm>
+
 #include "engine/math/pose.h"
+#include "engine/math/triangle.h"
 #include "engine/mesh/mesh.h"
 
 namespace palpate {
@@ -23,6 +25,13 @@ struct Placement {
   DVec3 point(const DVec3& b) const { return linear * b + translation; }
   DVec3 into_b(const DVec3& direction) const { return direction * rotation; }  // transposed
 };
+
+// Surfaces no farther apart than this (A's normalised frame) touch: five times the rounding of a transformed
+// point, whose coordinates are of about 1.
+inline double touching_distance(const Placement& placement) {
+  constexpr double kTouch = 1e-14;
+  return kTouch * std::max(1.0, placement.ratio);
+}
 
 // The corners of a triangle of A, and of one of B in A's frame.
 inline Triangle triangle_of(const Mesh& mesh, std::uint32_t t) {

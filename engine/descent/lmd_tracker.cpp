@@ -1,0 +1,128 @@
+#include "engine/descent/lmd_tracker.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+namespace palpate {
+namespace {
+
+// A plateau is explored over at most this many pairs of triangles; the rest of a larger one adds no extreme
+// points beyond what the last search found.
+constexpr std::size_t kMaxExplored = 4096;
+
+unsigned corner_bit(TrianglePlace place) {
+  return place.is_corner() ? 1u << place.code : 0u;
+}
+
+unsigned side_bit(TrianglePlace place) {
+  return place.is_side() ? 1u << place.side() : 0u;
+}
+
+auto features_of(const Minimum& minimum) {
+  return std::tie(minimum.feature_a, minimum.feature_b);
+}
+
+}  // namespace
+
+// What one call of follow() works with.
+struct LmdTracker::Tick {
+  const DescentPair& pair;
+  FeaturePairTest::Limits limits;
+
+  TestedTriangle tested_a(std::uint32_t t, unsigned corners, unsigned sides) const {
+    return {t, triangle_of(pair.a(), t), corners, sides};
+  }
+  TestedTriangle tested_b(std::uint32_t t, unsigned corners, unsigned sides) const {
+    return {t, triangle_of(pair.b(), t, pair.placement()), corners, sides};
+  }
+};
+
+void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
+  remember(a, b, searched);
+  std::sort(seeds_.begin(), seeds_.end());
+  seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
+}
+
+void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options,
+                        LmdSet& found) {
+  const Placement placement(a.frame, b.frame, a_from_b);
+  const DescentPair pair(a, b, placement);
+  const double touch = touching_distance(placement);
+  const Tick tick{pair, {options.cutoff / a.frame.scale, touch, options.parallel_tolerance}};
+  found.clear();
+  work_ = {};
+  minima_.clear();
+  explored_.clear();
+  for (const TrianglePair seed : seeds_) follow_seed(tick, seed, found);
+
+  std::sort(minima_.begin(), minima_.end(),
+            [](const Minimum& one, const Minimum& other) { return features_of(one) < features_of(other); });
+  const auto same = [](const Minimum& one, const Minimum& other) {
+    return features_of(one) == features_of(other);
+  };
+  minima_.erase(std::unique(minima_.begin(), minima_.end(), same), minima_.end());
+  grouper_.group(a, b, {touch, options.parallel_tolerance}, minima_, found);
+  to_metres(a.frame, found);
+  found.work.triangle_pairs = work_.triangle_pairs;
+  seeds_.clear();
+  remember(a, b, found);
+}
+
+void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
+  for (const Lmd& lmd : found.lmds)
+    seeds_.push_back({triangles_at(a, lmd.feature_a).front(), triangles_at(b, lmd.feature_b).front()});
+}
+
+void LmdTracker::follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found) {
+  ++work_.descents;
+  DescentPoint point = tick.pair.measure(seed, work_);
+  if (!descend(tick.pair, point)) return;
+  const Triangle in_a = triangle_of(tick.pair.a(), point.triangles.a);
+  const Triangle in_b = triangle_of(tick.pair.b(), point.triangles.b, tick.pair.placement());
+  if (triangles_touch(in_a, in_b, point.closest, tick.limits.touch))
+    return found.overlaps.push_back(point.triangles);
+  FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
+  decide(tick, point, test);
+}
+
+bool LmdTracker::descend(const DescentPair& pair, DescentPoint& point) {
+  return form_ == DescentForm::kPolar ? polar_.descend(pair, point, work_)
+                                      : neighbourhood_.descend(pair, point, work_);
+}
+
+// The features of the closest points decide; all features of the two triangles where those do not, as on
+// parallel edges, whose closest points may be anywhere between.
+void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test) {
+  const TrianglePlace at_a = point.closest.first_place, at_b = point.closest.second_place;
+  const auto [a, b] = point.triangles;
+  const std::size_t before = minima_.size();
+  test(tick.tested_a(a, corner_bit(at_a), side_bit(at_a)),
+       tick.tested_b(b, corner_bit(at_b), side_bit(at_b)));
+  const bool alone = minima_.size() > before &&
+                     std::all_of(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end(),
+                                 [](const Minimum& minimum) { return minimum.alone; });
+  if (!alone) explore_plateau(tick, point.triangles, test);
+}
+
+// Breadth first over the pairs of triangles that share a minimum of the plateau.
+void LmdTracker::explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test) {
+  const auto add = [this](TrianglePair pair) {
+    if (explored_.size() < kMaxExplored &&
+        std::find(explored_.begin(), explored_.end(), pair) == explored_.end())
+      explored_.push_back(pair);
+  };
+  std::size_t next = explored_.size();
+  add(from);
+  for (; next < explored_.size(); ++next) {
+    constexpr unsigned kAll = 7;
+    const std::size_t before = minima_.size();
+    ++work_.triangle_pairs;
+    test(tick.tested_a(explored_[next].a, kAll, kAll), tick.tested_b(explored_[next].b, kAll, kAll));
+    for (std::size_t i = before; i < minima_.size(); ++i)
+      for (std::uint32_t a : triangles_at(tick.pair.a(), minima_[i].feature_a))
+        for (std::uint32_t b : triangles_at(tick.pair.b(), minima_[i].feature_b)) add({a, b});
+  }
+}
+
+}  // namespace palpate

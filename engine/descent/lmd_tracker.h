@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/descent/descent_pair.h"
+#include "engine/descent/neighbourhood_descent.h"
+#include "engine/descent/polar_descent.h"
+#include "engine/snch/feature_pairs.h"
+#include "engine/snch/lmd_search.h"
+#include "engine/snch/plateau.h"
+
+namespace palpate {
+
+enum class DescentForm { kPolar, kNeighbourhood };
+
+// Follows the local minimum distances of two models from pose to pose by local descent. It finds no new ones:
+// those come from a search, which may be of an older pose. What does not end in a local minimum is dropped;
+// what meets at one place is merged. The cost is that of the LMDs, not of the models. Keeps its memory from
+// call to call.
+class LmdTracker {
+ public:
+  explicit LmdTracker(DescentForm form = DescentForm::kPolar) : form_(form) {}
+
+  // Adds the LMDs of a search to those that are followed.
+  void adopt(const Mesh& a, const Mesh& b, const LmdSet& searched);
+
+  // Brings all to a new pose; `found` receives those within options.cutoff, and its work the pairs measured.
+  void follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options,
+              LmdSet& found);
+
+  void forget() { seeds_.clear(); }
+  std::size_t size() const { return seeds_.size(); }
+  const DescentWork& work() const { return work_; }  // of the last follow()
+
+ private:
+  struct Tick;
+  void follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found);
+  bool descend(const DescentPair& pair, DescentPoint& point);
+  void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test);
+  void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test);
+  void remember(const Mesh& a, const Mesh& b, const LmdSet& found);
+
+  DescentForm form_;
+  PolarDescent polar_;
+  NeighbourhoodDescent neighbourhood_;
+  PlateauGrouper grouper_;
+  std::vector<TrianglePair> seeds_;
+  std::vector<TrianglePair> explored_;  // pairs of triangles of plateaus met in this tick
+  std::vector<Minimum> minima_;
+  DescentWork work_;
+};
+
+}  // namespace palpate

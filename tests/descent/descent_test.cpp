@@ -1,0 +1,189 @@
+// Local descent: it ends, it ends in local minima, and it stays with the ones that a search found.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "assets/shapes/box.h"
+#include "engine/base/clock.h"
+#include "engine/descent/lmd_tracker.h"
+#include "tests/support/models.h"
+#include "tests/support/motion.h"
+
+namespace palpate {
+namespace {
+
+constexpr std::uint64_t kSeed = 31;
+
+struct Case {
+  const char* a;
+  const char* b;
+  double b_scale;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.a << " - " << c.b;
+}
+
+class Descent : public testing::TestWithParam<std::tuple<Case, DescentForm>> {
+ protected:
+  const Case& models = std::get<0>(GetParam());
+  DescentForm form = std::get<1>(GetParam());
+};
+
+// From any pair of triangles a descent ends, and what it gives is one of the complete set.
+TEST_P(Descent, EndsInMinimaOfTheCompleteSet) {
+  const auto a = asset_model(models.a), b = asset_model(models.b, models.b_scale);
+  Random random(kSeed);
+  LmdSearch search;
+  LmdSet complete, followed, seeds;
+  SearchOptions options;
+  options.cutoff = 0.02;
+  for (int i = 0; i < 10; ++i) {
+    const Pose pose = place_near(*a, *b, 0.003, random);
+    search.run(*a, *b, pose, options, complete);
+    LmdTracker tracker(form);
+    seeds.clear();
+    for (int k = 0; k < 300; ++k) {
+      const Feature on_a{FeatureKind::kFace, random.below(a->mesh().triangles.size())};
+      const Feature on_b{FeatureKind::kFace, random.below(b->mesh().triangles.size())};
+      seeds.lmds.push_back({{}, {}, {}, 0, 0, 0, on_a, on_b});
+    }
+    tracker.adopt(a->mesh(), b->mesh(), seeds);
+    tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+    EXPECT_LE(tracker.work().steps, 64u * tracker.work().descents);
+    for (const Lmd& lmd : followed.lmds) {
+      const bool known = std::any_of(complete.lmds.begin(), complete.lmds.end(), [&](const Lmd& other) {
+        return glm::length(other.point_a - lmd.point_a) + glm::length(other.point_b - lmd.point_b) < 1e-9;
+      });
+      EXPECT_TRUE(known) << "pose " << i << " distance " << lmd.distance;
+    }
+  }
+}
+
+// Brought to its own pose a complete set is itself, plateaus and all. The paper's form may leave a minimum
+// for a lower one across a barrier within its neighbourhood.
+class PolarDescentOnly : public testing::TestWithParam<Case> {};
+
+TEST_P(PolarDescentOnly, StandsStillWhereNothingMoves) {
+  const auto a = asset_model(GetParam().a), b = asset_model(GetParam().b, GetParam().b_scale);
+  Random random(kSeed + 1);
+  LmdSearch search;
+  LmdSet complete, followed;
+  SearchOptions options;
+  options.cutoff = 0.01;
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = place_near(*a, *b, 0.004, random);
+    search.run(*a, *b, pose, options, complete);
+    LmdTracker tracker;
+    tracker.adopt(a->mesh(), b->mesh(), complete);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+      ASSERT_EQ(followed.set_count, complete.set_count);
+      ASSERT_EQ(followed.lmds.size(), complete.lmds.size());
+      for (std::size_t k = 0; k < complete.lmds.size(); ++k) {
+        EXPECT_EQ(followed.lmds[k].feature_a, complete.lmds[k].feature_a);
+        EXPECT_EQ(followed.lmds[k].feature_b, complete.lmds[k].feature_b);
+        EXPECT_NEAR(followed.lmds[k].distance, complete.lmds[k].distance, 1e-15);
+        EXPECT_NEAR(followed.lmds[k].weight, complete.lmds[k].weight, 1e-9);
+      }
+    }
+  }
+}
+
+// Along a motion, with a search every 10 ms: what is lost against the complete set, and what it costs.
+TEST_P(Descent, FollowsAMotion) {
+  const auto a = asset_model(models.a), b = asset_model(models.b, models.b_scale);
+  Random random(kSeed + 2);
+  const double cutoff = 0.006;
+  const std::vector<Pose> motion = sliding_motion(*a, *b, cutoff, 0.1, 300, random);
+  LmdSearch search;
+  LmdSet complete, followed;
+  SearchOptions options;
+  options.cutoff = cutoff;
+  LmdTracker tracker(form);
+  std::size_t wanted = 0, missed = 0;
+  double time_us = 0;
+  DescentWork work;
+  for (std::size_t tick = 0; tick < motion.size(); ++tick) {
+    search.run(*a, *b, motion[tick], options, complete);
+    if (tick % 10 == 0) tracker.adopt(a->mesh(), b->mesh(), complete);
+    const Stopwatch watch;
+    tracker.follow(a->mesh(), b->mesh(), motion[tick], options, followed);
+    time_us += watch.elapsed_us();
+    work.descents += tracker.work().descents;
+    work.steps += tracker.work().steps;
+    work.triangle_pairs += tracker.work().triangle_pairs;
+    for (const Lmd& lmd : complete.lmds) {
+      ++wanted;
+      missed += std::none_of(followed.lmds.begin(), followed.lmds.end(), [&](const Lmd& other) {
+        return glm::length(other.point_a - lmd.point_a) + glm::length(other.point_b - lmd.point_b) < 1e-9;
+      });
+    }
+    for (const Lmd& lmd : followed.lmds) {
+      EXPECT_TRUE(std::any_of(
+          complete.lmds.begin(), complete.lmds.end(),
+          [&](const Lmd& other) {
+            return glm::length(other.point_a - lmd.point_a) + glm::length(other.point_b - lmd.point_b) < 1e-9;
+          }))
+          << "tick " << tick;
+    }
+  }
+  const auto descents = static_cast<double>(std::max<std::uint64_t>(work.descents, 1));
+  std::printf("%s - %s, %s: %zu LMDs wanted, %zu missed; a descent: %.2f steps, %.2f pairs, %.2f us\n",
+              models.a, models.b, form == DescentForm::kPolar ? "polar" : "neighbourhood", wanted, missed,
+              static_cast<double>(work.steps) / descents, static_cast<double>(work.triangle_pairs) / descents,
+              time_us / descents);
+  EXPECT_GT(wanted, 0u);
+  EXPECT_LT(static_cast<double>(missed), 0.25 * static_cast<double>(wanted));
+}
+
+const auto kCases =
+    testing::Values(Case{"organic_97k", "organic_2200", 0.4}, Case{"crankshaft_45k", "gear_6k", 0.5},
+                    Case{"spring_23k", "teapot_5600", 0.3}, Case{"saddle", "fan_200", 0.5},
+                    Case{"slivers", "torus", 0.4}, Case{"voxels", "box_tessellated", 0.3});
+
+INSTANTIATE_TEST_SUITE_P(Assets, Descent,
+                         testing::Combine(kCases,
+                                          testing::Values(DescentForm::kPolar, DescentForm::kNeighbourhood)));
+INSTANTIATE_TEST_SUITE_P(Assets, PolarDescentOnly, kCases);
+
+TEST(DescentPlateau, KeepsAllItsPointsWhileItSlides) {
+  const auto a = make_model(shapes::box({1, 1, 1}, {6, 6, 6})),
+             b = make_model(shapes::box({0.5, 0.5, 0.5}, {3, 3, 3}));
+  LmdSearch search;
+  LmdSet complete, followed;
+  SearchOptions options;
+  options.cutoff = 0.05;
+  LmdTracker tracker;
+  for (int tick = 0; tick < 200; ++tick) {
+    const Pose pose{DMat3(1.0), {-0.3 + 0.002 * tick, 0.1 + 0.0005 * tick, 0.78}};
+    search.run(*a, *b, pose, options, complete);
+    if (tick == 0) tracker.adopt(a->mesh(), b->mesh(), complete);
+    tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+    ASSERT_EQ(followed.set_count, 1u) << tick;
+    ASSERT_EQ(followed.lmds.size(), complete.lmds.size()) << tick;
+  }
+}
+
+TEST(DescentContact, ReportsTouchingInsteadOfAMinimum) {
+  const auto a = make_model(shapes::box({1, 1, 1})), b = make_model(shapes::box({0.5, 0.5, 0.5}));
+  LmdSearch search;
+  LmdSet found;
+  SearchOptions options;
+  options.cutoff = 0.05;
+  LmdTracker tracker;
+  const DMat3 tilt = glm::mat3_cast(glm::angleAxis(0.4, glm::normalize(DVec3(1, 2, 0))));
+  double height = 0.9;
+  search.run(*a, *b, {tilt, {0.05, 0.02, height}}, options, found);
+  tracker.adopt(a->mesh(), b->mesh(), found);
+  while (height > 0.7) {
+    height -= 0.001;
+    tracker.follow(a->mesh(), b->mesh(), {tilt, {0.05, 0.02, height}}, options, found);
+    if (found.overlapping()) break;
+  }
+  EXPECT_TRUE(found.overlapping());
+}
+
+}  // namespace
+}  // namespace palpate
