@@ -8,8 +8,8 @@ enum class LogLevel { kError, kWarning, kInfo, kDebug };
 
 using LogSink = void (*)(LogLevel level, const char* message, void* user);
 
-// Installs the one receiver of log messages, or none. Safe from any thread; the old sink is not called after the
-// return.
+// Installs the one receiver of log messages, or none. Safe from any thread; the old sink is not called after
+// the return.
 void set_log_sink(LogSink sink, void* user);
 
 // Never called on the servo path: it locks.

@@ -13,7 +13,7 @@ BELOW = {
     "engine/gltf": ("engine/mesh",),
     "engine/kernel": ("engine/math",),
     "engine/snch": ("engine/mesh", "engine/kernel"),
-    "engine/descent": ("engine/mesh", "engine/kernel"),
+    "engine/descent": ("engine/snch", "engine/kernel"),
     "engine/contact": ("engine/math",),
     "engine/scene": ("engine/snch", "engine/contact"),
     "engine/exchange": ("engine/base",),
