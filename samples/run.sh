@@ -22,9 +22,12 @@ if [[ "${1:-}" == --help || "${1:-}" == -h ]]; then
   exit 0
 fi
 
-install_missing "${palpate_build_packages[@]}"
-cmake --preset samples
-cmake --build --preset samples -j "${PALPATE_JOBS:-2}"
+# What it takes to build goes to the error output: the output is the tool's.
+{
+  install_missing "${palpate_build_packages[@]}"
+  cmake --preset samples
+  cmake --build --preset samples -j "${PALPATE_JOBS:-2}"
+} >&2
 
 palpate="$PWD/build/samples/samples/cli/palpate"
 cd build/samples/assets
@@ -32,7 +35,9 @@ if (($#)); then
   exec "$palpate" "$@"
 fi
 
-"$palpate" info crankshaft_45k.glb
-"$palpate" info gear_6k.glb
-# The gear rides beside a web of the crankshaft; the cutoff is 1 % of the crankshaft's diagonal.
+for model in crankshaft_45k.glb gear_6k.glb; do
+  echo "== $model"
+  "$palpate" info "$model"
+done
+echo "== the gear over two webs of the crankshaft; cutoff 3 mm, 1 % of the crankshaft's diagonal"
 "$palpate" query crankshaft_45k.glb gear_6k.glb --pose -0.005 0.0703 -0.02 -0.5 0 0 0.866 --cutoff 0.003

@@ -10,6 +10,11 @@ void LmdSet::clear() {
   work = {};
 }
 
+void LmdSet::add_overlap(TrianglePair pair, std::size_t limit) {
+  if (overlaps.size() < limit) return overlaps.push_back(pair);
+  overlaps_cut = true;
+}
+
 void to_metres(const ModelFrame& frame, LmdSet& found) {
   for (Lmd& lmd : found.lmds) {
     lmd.point_a = frame.metres(lmd.point_a);

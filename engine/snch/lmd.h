@@ -46,6 +46,7 @@ struct LmdSet {
   bool overlapping() const { return overlaps_cut || !overlaps.empty(); }
   bool has_plateau() const { return lmds.size() > set_count; }
   void clear();
+  void add_overlap(TrianglePair pair, std::size_t limit);
 };
 
 // Takes LMDs from the normalised frame of model A to metres.

@@ -5,6 +5,7 @@
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/node_pair.h"
+#include "engine/snch/owned_triangle.h"
 #include "engine/snch/plateau.h"
 
 namespace palpate {
@@ -55,7 +56,7 @@ class Traversal {
     pair.contact &= verdict.contact && !found_.overlaps_cut;
     if (!pair.minimum && !pair.contact) return;
     if (a.is_leaf() && b.is_leaf()) return test_triangles(a.triangle(), b.triangle(), pair);
-    if (b.is_leaf() || (!a.is_leaf() && a.radius > static_cast<float>(placement_.ratio) * b.radius)) {
+    if (node_test_.opens_first(a, b)) {
       stack_.push_back({a.second_child(), pair.b, pair.minimum, pair.contact});
       stack_.push_back({pair.a + 1, pair.b, pair.minimum, pair.contact});
     } else {
@@ -66,16 +67,11 @@ class Traversal {
 
   void test_triangles(std::uint32_t a, std::uint32_t b, const NodePair& pair) {
     ++found_.work.triangle_pairs;
-    const OwnedFeatures of_a = a_.owned(a), of_b = b_.owned(b);
-    const TestedTriangle tested_a{a, triangle_of(a_mesh_, a), of_a.corners, of_a.sides};
-    const TestedTriangle tested_b{b, triangle_of(b_mesh_, b, placement_), of_b.corners, of_b.sides};
-    if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_)) add_overlap(a, b);
+    const TestedTriangle tested_a = owned_triangle(a_, a_mesh_, a),
+                         tested_b = owned_triangle(b_, b_mesh_, b, placement_);
+    if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_))
+      found_.add_overlap({a, b}, max_overlaps_);
     if (pair.minimum) feature_test_(tested_a, tested_b);
-  }
-
-  void add_overlap(std::uint32_t a, std::uint32_t b) {
-    if (found_.overlaps.size() < max_overlaps_) return found_.overlaps.push_back({a, b});
-    found_.overlaps_cut = true;
   }
 
   const Tree& a_;

@@ -3,6 +3,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "engine/mesh/placement.h"
+#include "engine/snch/odometer.h"
 #include "engine/snch/tree.h"
 
 namespace palpate {
@@ -25,10 +26,24 @@ class NodePairTest {
   };
   Verdict operator()(const Node& a, const Node& b) const;
 
+  // Of two nodes that are not both leaves, which one a traversal opens: the larger.
+  bool opens_first(const Node& a, const Node& b) const {
+    return b.is_leaf() || (!a.is_leaf() && a.radius > ratio_ * b.radius);
+  }
+
+  // How long the pair will hold neither minimum nor contact; no certificate where it may hold one now. Facts
+  // that are seen from B are certified for half their slack and at most `reach`: a point of A may turn about
+  // B's centre on an arm that grows meanwhile.
+  Certificate certify(const Node& a, const Node& b, const MotionRate& rate, double reach) const;
+
  private:
   struct Gap;
+  Gap gap_between(const Node& a, const Node& b) const;
+  void measure_boxes(const Node& a, const Node& b, Gap& gap) const;
   bool cones_miss(const Node& a, const Node& b, const Gap& gap) const;
   bool swept_boxes_miss(const Node& a, const Node& b, const Gap& gap) const;
+  Certificate certify_directions(const Node& a, const Node& b, const Gap& gap, const MotionRate& rate,
+                                 double reach) const;
 
   Placement placement_;
   glm::mat3 rotation_;

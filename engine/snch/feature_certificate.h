@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/snch/feature_pairs.h"
+#include "engine/snch/odometer.h"
+
+namespace palpate {
+
+// Certifies for how long two triangles will neither touch nor hold a local minimum distance on any pair of
+// the features that take part. Each pair of features that holds none has a reason: its points lie outside
+// their features or beyond the cutoff, which ends with distance, or the direction between them leans outside
+// a polar cone. For a corner over a face that direction is the face's normal and for two edges their common
+// normal (pairs of features that are faces of the convolution of A and −B), so that the lean ends with
+// rotation alone; for the others with both.
+class FeatureCertificate {
+ public:
+  // A fact that is seen from B is certified for half its slack and at most `reach`, as NodePairTest::certify
+  // has it.
+  FeatureCertificate(const Mesh& a, const Mesh& b, const Placement& placement,
+                     const FeaturePairTest::Limits& limits, const MotionRate& rate, double reach);
+
+  // No certificate where one might end with the next motion.
+  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b) const;
+
+ private:
+  struct Side {
+    const Mesh& mesh;
+    bool second;
+  };
+  Certificate corners_and_face(const Side& corner_side, const TestedTriangle& corners, const Side& face_side,
+                               const TestedTriangle& face) const;
+  Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;
+  Certificate edge_pair(std::uint32_t edge_a, const DVec3& u, std::uint32_t edge_b, const DVec3& v) const;
+  Certificate corners_and_edges(const Side& corner_side, const TestedTriangle& corners, const Side& edge_side,
+                                const TestedTriangle& edges) const;
+  Certificate corners(const TestedTriangle& a, const TestedTriangle& b) const;
+
+  double corner_lean(const Side& side, std::uint32_t vertex, const DVec3& u) const;
+  double edge_lean(const Side& side, std::uint32_t edge, const DVec3& u) const;
+  Certificate seen_from(const Side& side, double slack) const;
+  Certificate leaning(const Side& side, double lean, double distance) const;
+
+  const Side a_;
+  const Side b_;
+  const Placement& placement_;
+  const FeaturePairTest::Limits limits_;
+  const MotionRate rate_;
+  const double reach_;
+};
+
+}  // namespace palpate

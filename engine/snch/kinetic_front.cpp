@@ -1,0 +1,172 @@
+#include "engine/snch/kinetic_front.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/kernel/triangle_pair.h"
+#include "engine/snch/feature_certificate.h"
+#include "engine/snch/owned_triangle.h"
+
+namespace palpate {
+namespace {
+
+// Pairs of nodes tested a tick for the next front: a front of 10,000 entries is renewed in about 100 ticks.
+constexpr std::size_t kRebuildPairs = 128;
+
+// Certificates lose this part, which covers the rounding of the odometer and of float32 expiries.
+constexpr double kKept = 0.999;
+
+// Readings beyond this are set back to 0 with a new front, so that float32 expiries stay fine.
+constexpr double kLongReading = 0.25;
+
+// A float32 no larger than x.
+float rounded_down(double x) {
+  return std::nextafter(static_cast<float>(x), -1.0f);
+}
+
+}  // namespace
+
+struct KineticFront::Tick {
+  const Placement& placement;
+  double reach;
+  double touch;
+  double cutoff;  // A's normalised frame, as all here
+  NodePairTest node_test;
+  FeaturePairTest feature_test;
+  FeaturePairTest ignored_test;
+  FeatureCertificate feature_certificate;
+  LmdSet& found;
+};
+
+KineticFront::KineticFront(const Model& a, const Model& b) : a_(a), b_(b) {}
+
+void KineticFront::update(const Pose& a_from_b, const SearchOptions& options, LmdSet& found) {
+  const Mesh &a = a_.mesh(), &b = b_.mesh();
+  const Placement placement(a.frame, b.frame, a_from_b);
+  const double cutoff = options.cutoff / a.frame.scale, touch = touching_distance(placement);
+  const bool same =
+      options.cutoff == options_.cutoff && options.parallel_tolerance == options_.parallel_tolerance;
+  found.clear();
+  work_ = {};
+  minima_.clear();
+  ignored_.clear();
+  if (odometer_ && same) {
+    odometer_->advance(placement);
+  } else {
+    start(placement, options);
+  }
+  const double reach = b_.radius() / a.frame.scale + cutoff;
+  const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
+  Tick tick{placement,
+            reach,
+            touch,
+            cutoff,
+            NodePairTest(placement, cutoff),
+            FeaturePairTest(a, b, placement, limits, minima_),
+            FeaturePairTest(a, b, placement, limits, ignored_),
+            FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
+            found};
+  options_.max_overlaps = options.max_overlaps;
+  scan(tick);
+  build_next_front(tick);
+
+  std::sort(found.overlaps.begin(), found.overlaps.end());
+  grouper_.group(a, b, {touch, options.parallel_tolerance}, minima_, found);
+  to_metres(a.frame, found);
+}
+
+void KineticFront::start(const Placement& placement, const SearchOptions& options) {
+  options_ = options;
+  const Mesh& b = b_.mesh();
+  const DVec3 centre = (b_.centre() - b.frame.origin) / b.frame.scale;
+  odometer_.emplace(centre, b_.radius() / a_.mesh().frame.scale + options.cutoff / a_.mesh().frame.scale);
+  odometer_->start(placement);
+  front_.assign(1, {0, 0, -1.0f, -1.0f});
+  next_front_.clear();
+  next_open_.assign(1, {0, 0});
+}
+
+void KineticFront::scan(Tick& tick) {
+  const float distance = std::nextafter(static_cast<float>(odometer_->distance()), 1e30f);
+  const float angle = std::nextafter(static_cast<float>(odometer_->angle()), 1e30f);
+  work_.entries = front_.size();
+  open_.clear();
+  std::size_t kept = 0;
+  for (const Entry& entry : front_) {
+    if (distance < entry.until_distance && angle < entry.until_angle) {
+      front_[kept++] = entry;
+    } else {
+      open_.push_back({entry.a, entry.b});
+    }
+  }
+  front_.resize(kept);
+  work_.expired = open_.size();
+  while (!open_.empty()) {
+    const NodePair pair = open_.back();
+    open_.pop_back();
+    settle(tick, pair, front_, open_, true);
+  }
+}
+
+// Puts a pair on the front if it can be pruned or holds two triangles; otherwise opens its children.
+void KineticFront::settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
+                          bool collect) {
+  ++tick.found.work.node_pairs;
+  const Tree &tree_a = a_.tree(), &tree_b = b_.tree();
+  const Node &a = tree_a.node(pair.a), &b = tree_b.node(pair.b);
+  Certificate certificate = tick.node_test.certify(a, b, odometer_->rate(), tick.reach);
+  if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
+    if (tick.node_test.opens_first(a, b)) {
+      open.push_back({a.second_child(), pair.b});
+      open.push_back({pair.a + 1, pair.b});
+    } else {
+      open.push_back({pair.a, b.second_child()});
+      open.push_back({pair.a, pair.b + 1});
+    }
+    return;
+  }
+  if (!certificate.holds()) certificate = test_triangles(tick, a.triangle(), b.triangle(), collect);
+  front.push_back(entry_of(pair, certificate));
+}
+
+Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect) {
+  ++tick.found.work.triangle_pairs;
+  const TestedTriangle tested_a = owned_triangle(a_.tree(), a_.mesh(), a);
+  const TestedTriangle tested_b = owned_triangle(b_.tree(), b_.mesh(), b, tick.placement);
+  if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch) && collect)
+    tick.found.add_overlap({a, b}, options_.max_overlaps);
+  std::vector<Minimum>& minima = collect ? minima_ : ignored_;
+  const std::size_t before = minima.size();
+  (collect ? tick.feature_test : tick.ignored_test)(tested_a, tested_b);
+  return minima.size() > before ? Certificate{} : tick.feature_certificate(tested_a, tested_b);
+}
+
+void KineticFront::build_next_front(Tick& tick) {
+  for (std::size_t count = 0; count < kRebuildPairs && !next_open_.empty(); ++count) {
+    const NodePair pair = next_open_.back();
+    next_open_.pop_back();
+    settle(tick, pair, next_front_, next_open_, false);
+    ++work_.rebuilt;
+  }
+  if (!next_open_.empty()) return;
+  front_.swap(next_front_);
+  next_front_.clear();
+  next_open_.assign(1, {0, 0});
+  if (std::max(odometer_->distance(), odometer_->angle()) > kLongReading) rebase();
+}
+
+void KineticFront::rebase() {
+  for (Entry& entry : front_) {
+    entry.until_distance = rounded_down(entry.until_distance - odometer_->distance());
+    entry.until_angle = rounded_down(entry.until_angle - odometer_->angle());
+  }
+  odometer_->reset();
+}
+
+KineticFront::Entry KineticFront::entry_of(NodePair pair, const Certificate& certificate) const {
+  if (!certificate.holds()) return {pair.a, pair.b, -1.0f, -1.0f};
+  return {pair.a, pair.b, rounded_down(odometer_->distance() + kKept * certificate.distance),
+          rounded_down(odometer_->angle() + kKept * certificate.angle)};
+}
+
+}  // namespace palpate

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/snch/feature_pairs.h"
+#include "engine/snch/lmd.h"
+#include "engine/snch/lmd_search.h"
+#include "engine/snch/model.h"
+#include "engine/snch/node_pair.h"
+#include "engine/snch/odometer.h"
+#include "engine/snch/plateau.h"
+
+namespace palpate {
+
+// Work of one tick of a kinetic front.
+struct FrontWork {
+  std::uint64_t entries = 0;  // of the front
+  std::uint64_t expired = 0;  // of those, tested again
+  std::uint64_t rebuilt = 0;  // pairs tested for the next front
+};
+
+// The complete set of local minimum distances of two models along a motion, with proof in every tick:
+// certified coherence. The front of a traversal, the pairs of nodes where it was pruned and the pairs of
+// triangles that it reached, is kept from tick to tick. Each entry has a certificate on the odometer of the
+// relative motion; while that holds, the entry need not be looked at. A tick scans the front, tests again
+// what has expired, and descends there, so no LMD is late and none is missed. Meanwhile the next front is
+// built from the roots, a few pairs a tick, to take the place of the one that has grown finer than it need
+// be.
+//
+// After: kinetic data structures (Basch, Guibas & Hershberger 1997) and front tracking (Klosowski et al.
+// 1998).
+class KineticFront {
+ public:
+  KineticFront(const Model& a, const Model& b);
+
+  // Fills `found` with the complete set at this pose. A cutoff or tolerance other than the last one starts
+  // afresh.
+  void update(const Pose& a_from_b, const SearchOptions& options, LmdSet& found);
+
+  const FrontWork& work() const { return work_; }  // of the last update
+
+ private:
+  struct Entry {
+    std::uint32_t a;  // nodes
+    std::uint32_t b;
+    float until_distance;  // the odometer's readings up to which the certificate holds
+    float until_angle;
+  };
+  struct NodePair {
+    std::uint32_t a;
+    std::uint32_t b;
+  };
+  struct Tick;
+
+  void start(const Placement& placement, const SearchOptions& options);
+  void scan(Tick& tick);
+  void settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
+              bool collect);
+  Certificate test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect);
+  void build_next_front(Tick& tick);
+  void rebase();
+  Entry entry_of(NodePair pair, const Certificate& certificate) const;
+
+  const Model& a_;
+  const Model& b_;
+  SearchOptions options_;
+  std::optional<Odometer> odometer_;
+  std::vector<Entry> front_;
+  std::vector<Entry> next_front_;
+  std::vector<NodePair> next_open_;  // pairs that the next front has still to test
+  std::vector<NodePair> open_;
+  std::vector<Minimum> minima_;
+  std::vector<Minimum> ignored_;  // minima met while the next front is built
+  PlateauGrouper grouper_;
+  FrontWork work_;
+};
+
+}  // namespace palpate
