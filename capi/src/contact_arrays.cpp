@@ -34,7 +34,10 @@ plp_overlap overlap_of(const BodyOverlap& overlap) {
 }
 
 plp_work work_of(const ContactWork& work) {
-  return {work.bodies, work.body_pairs, work.search.node_pairs, work.search.triangle_pairs};
+  const PairWork& coherence = work.coherence;
+  return {work.bodies,        work.body_pairs,         work.search.node_pairs,  work.search.triangle_pairs,
+          coherence.descents, coherence.descent_steps, coherence.front_entries, coherence.front_expired,
+          coherence.age,      coherence.global_us};
 }
 
 }  // namespace

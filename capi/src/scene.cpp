@@ -21,6 +21,18 @@ BodyKind kind_of(const plp_body_options& options) {
   refuse(ErrorCode::kInvalidArgument, "options->kind is no plp_body_kind");
 }
 
+SearchMode mode_of(std::int32_t mode, const char* name) {
+  switch (mode) {
+    case PLP_MODE_GLOBAL:
+      return SearchMode::kGlobal;
+    case PLP_MODE_DESCENT:
+      return SearchMode::kDescent;
+    case PLP_MODE_CERTIFIED:
+      return SearchMode::kCertified;
+  }
+  refuse(ErrorCode::kInvalidArgument, std::string(name) + " is no plp_mode");
+}
+
 // All but the model.
 BodyOptions body_in(const plp_body_options& options, const Space& space) {
   BodyOptions body;
@@ -38,6 +50,8 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.cutoff = cutoff_in(space, options.cutoff, "options->cutoff");
   scene.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
   scene.max_overlaps = options.max_overlaps;
+  scene.mode = mode_of(options.mode, "options->mode");
+  if (options.global_every > 0) scene.global_every = options.global_every;
   return std::make_unique<SceneObject>(space, scene);
 }
 
@@ -62,6 +76,7 @@ void plp_scene_options_init(plp_scene_options* options) {
   options->max_overlaps = 1024;
   options->space = kPalpateSpace;
   options->stiffness = 1000.0;
+  options->mode = PLP_MODE_CERTIFIED;
 }
 
 plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene) {
@@ -130,6 +145,14 @@ plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff) {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     object->scene.set_cutoff(cutoff_in(object->space, cutoff, "cutoff"));
+  });
+}
+
+plp_result plp_scene_set_mode(plp_scene scene, int32_t mode) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_mode(mode_of(mode, "mode"));
   });
 }
 

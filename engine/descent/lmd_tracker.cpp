@@ -19,6 +19,23 @@ unsigned side_bit(TrianglePlace place) {
   return place.is_side() ? 1u << place.side() : 0u;
 }
 
+// Leaves the sets whose first point is within the cutoff, numbered anew.
+void drop_sets_beyond(double cutoff, LmdSet& found) {
+  std::size_t kept = 0;
+  std::uint32_t sets = 0;
+  for (std::size_t i = 0, end; i < found.lmds.size(); i = end) {
+    for (end = i + 1; end < found.lmds.size() && found.lmds[end].set == found.lmds[i].set;) ++end;
+    if (found.lmds[i].distance > cutoff) continue;
+    for (std::size_t k = i; k < end; ++k) {
+      found.lmds[kept] = found.lmds[k];
+      found.lmds[kept++].set = sets;
+    }
+    ++sets;
+  }
+  found.lmds.erase(found.lmds.begin() + static_cast<std::ptrdiff_t>(kept), found.lmds.end());
+  found.set_count = sets;
+}
+
 auto features_of(const Minimum& minimum) {
   return std::tie(minimum.feature_a, minimum.feature_b);
 }
@@ -45,7 +62,7 @@ void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
 }
 
 void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options,
-                        LmdSet& found) {
+                        double cutoff, LmdSet& found) {
   const Placement placement(a.frame, b.frame, a_from_b);
   const DescentPair pair(a, b, placement);
   const double touch = touching_distance(placement);
@@ -67,6 +84,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   found.work.triangle_pairs = work_.triangle_pairs;
   seeds_.clear();
   remember(a, b, found);
+  drop_sets_beyond(cutoff, found);
 }
 
 void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {

@@ -24,8 +24,9 @@ class LmdTracker {
   // Adds the LMDs of a search to those that are followed.
   void adopt(const Mesh& a, const Mesh& b, const LmdSet& searched);
 
-  // Brings all to a new pose; `found` receives those within options.cutoff, and its work the pairs measured.
-  void follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options,
+  // Brings all to a new pose and goes on following those within options.cutoff. `found` receives those within
+  // `cutoff` (metres), which is no larger, and its work the pairs measured.
+  void follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options, double cutoff,
               LmdSet& found);
 
   void forget() { seeds_.clear(); }

@@ -57,6 +57,15 @@ void append_overlaps(const LmdSet& found, const ContactPair& pair, Contacts& con
 
 }  // namespace
 
+void ContactWork::add(const PairWork& pair) {
+  coherence.descents += pair.descents;
+  coherence.descent_steps += pair.descent_steps;
+  coherence.front_entries += pair.front_entries;
+  coherence.front_expired += pair.front_expired;
+  coherence.age = std::max(coherence.age, pair.age);
+  coherence.global_us += pair.global_us;
+}
+
 void Contacts::clear() {
   lmds.clear();
   set_count = 0;

@@ -7,6 +7,7 @@
 
 #include "engine/contact/spring.h"
 #include "engine/math/pose.h"
+#include "engine/scene/pair_search.h"
 #include "engine/snch/lmd.h"
 
 namespace palpate {
@@ -47,6 +48,9 @@ struct ContactWork {
   std::uint64_t bodies = 0;      // bounding spheres tested against the tool's
   std::uint64_t body_pairs = 0;  // searched
   SearchWork search;
+  PairWork coherence;  // sums over the pairs; the age is that of the oldest
+
+  void add(const PairWork& pair);
 };
 
 // All that the tool meets at one moment.

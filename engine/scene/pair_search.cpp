@@ -1,5 +1,7 @@
 #include "engine/scene/pair_search.h"
 
+#include "engine/base/clock.h"
+
 namespace palpate {
 namespace {
 
@@ -10,15 +12,25 @@ constexpr double kPlateauHysteresis = 4.0;
 bool same(const PairSituation& a, const PairSituation& b) {
   return a.body_from_tool.rotation == b.body_from_tool.rotation &&
          a.body_from_tool.translation == b.body_from_tool.translation && a.cutoff == b.cutoff &&
-         a.max_overlaps == b.max_overlaps;
+         a.max_overlaps == b.max_overlaps && a.mode == b.mode;
 }
 
 }  // namespace
 
+void PairSearch::forget() {
+  known_ = false;
+  front_.forget();
+  tracker_.forget();
+  odometer_.reset();
+  age_.reset();
+}
+
 void PairSearch::update(const Model& body, const Model& tool, const PairSituation& situation,
                         LmdSearch& search) {
   searched_ = !known_ || !same(situation, situation_);
+  work_ = {};
   if (!searched_) return;
+  if (known_ && situation.mode != situation_.mode) forget();
 
   SearchOptions options;
   options.cutoff = situation.cutoff;
@@ -26,9 +38,62 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   if (known_ && found_.has_plateau()) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
-  search.run(body, tool, situation.body_from_tool, options, found_);
   situation_ = situation;
+  switch (situation.mode) {
+    case SearchMode::kGlobal:
+      search_all(body, tool, options, search);
+      break;
+    case SearchMode::kDescent:
+      descend(body, tool, options, search);
+      break;
+    case SearchMode::kCertified:
+      keep_front(body, tool, options);
+      break;
+  }
   known_ = true;
+}
+
+void PairSearch::search_all(const Model& body, const Model& tool, const SearchOptions& options,
+                            LmdSearch& search) {
+  const Stopwatch watch;
+  search.run(body, tool, situation_.body_from_tool, options, found_);
+  work_.global_us = watch.elapsed_us();
+}
+
+void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOptions& options) {
+  front_.update(body, tool, situation_.body_from_tool, options, found_);
+  work_.front_entries = front_.work().entries;
+  work_.front_expired = front_.work().expired;
+}
+
+// The search looks farther than the cutoff by the way that the models can go until the next one, so that an
+// LMD is followed before its force begins.
+void PairSearch::descend(const Model& body, const Model& tool, const SearchOptions& options,
+                         LmdSearch& search) {
+  measure_motion(body, tool);
+  SearchOptions wide = options;
+  wide.cutoff += (situation_.global_every + 1) * odometer_->rate().distance * body.mesh().frame.scale;
+  age_ = age_ ? *age_ + 1 : situation_.global_every;
+  if (*age_ >= situation_.global_every) {
+    const Stopwatch watch;
+    search.run(body, tool, situation_.body_from_tool, wide, complete_);
+    work_.global_us = watch.elapsed_us();
+    tracker_.adopt(body.mesh(), tool.mesh(), complete_);
+    age_ = 0;
+  }
+  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, wide, options.cutoff, found_);
+  work_.age = *age_;
+  work_.descents = tracker_.work().descents;
+  work_.descent_steps = tracker_.work().steps;
+}
+
+void PairSearch::measure_motion(const Model& body, const Model& tool) {
+  const ModelFrame &to = body.mesh().frame, &from = tool.mesh().frame;
+  const Placement placement(to, from, situation_.body_from_tool);
+  if (odometer_) return odometer_->advance(placement);
+  odometer_.emplace((tool.centre() - from.origin) / from.scale,
+                    (tool.radius() + situation_.cutoff) / to.scale);
+  odometer_->start(placement);
 }
 
 }  // namespace palpate

@@ -14,7 +14,7 @@ void Query::run(const Model& a, const Model& b, const Pose& a_from_b, const Quer
   const Sphere around_a{a.centre(), a.radius()};
   const Sphere around_b = a_from_b * Sphere{b.centre(), b.radius()};
   if (within_reach(around_a, around_b, options.law.cutoff)) search(a, b, a_from_b, options);
-  contacts_.search_us = watch.elapsed_us();
+  contacts_.search_us = contacts_.work.coherence.global_us = watch.elapsed_us();
 }
 
 void Query::search(const Model& a, const Model& b, const Pose& a_from_b, const QueryOptions& options) {

@@ -55,13 +55,15 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
   }
   // At least one overlap is asked for, because an empty list means that nothing overlaps.
   const PairSituation situation{inverse(body.pose()) * tool.pose(), options_.cutoff,
-                                std::max<std::size_t>(options_.max_overlaps, 1)};
+                                std::max<std::size_t>(options_.max_overlaps, 1), options_.mode,
+                                options_.global_every};
   PairSearch& pair = body.against_tool;
   pair.update(*body.options().model, *tool.options().model, situation, search_);
   if (pair.searched()) {
     ++next_.work.body_pairs;
     next_.work.search.node_pairs += pair.found().work.node_pairs;
     next_.work.search.triangle_pairs += pair.found().work.triangle_pairs;
+    next_.work.add(pair.work());
   }
   const double stiffness = body.options().stiffness > 0.0 ? body.options().stiffness : options_.stiffness;
   const DVec3 reference = tool.pose() * tool.options().reference_point;

@@ -9,6 +9,8 @@ struct SceneOptions {
   double cutoff = 0.0;        // metres, positive
   double stiffness = 1000.0;  // N/m, not negative
   std::size_t max_overlaps = 1024;
+  SearchMode mode = SearchMode::kCertified;
+  unsigned global_every = 10;  // steps, positive
 };
 
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
@@ -19,6 +21,8 @@ class Scene {
 
   void set_cutoff(double cutoff) { options_.cutoff = cutoff; }
   void set_stiffness(double stiffness) { options_.stiffness = stiffness; }
+
+  void set_mode(SearchMode mode) { options_.mode = mode; }
 
   // Errors: kInvalidArgument (a second tool), kLimit.
   Result<BodyId> add(BodyOptions options);

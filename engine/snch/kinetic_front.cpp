@@ -38,24 +38,21 @@ struct KineticFront::Tick {
   LmdSet& found;
 };
 
-KineticFront::KineticFront(const Model& a, const Model& b) : a_(a), b_(b) {}
-
-void KineticFront::update(const Pose& a_from_b, const SearchOptions& options, LmdSet& found) {
-  const Mesh &a = a_.mesh(), &b = b_.mesh();
+void KineticFront::update(const Model& model_a, const Model& model_b, const Pose& a_from_b,
+                          const SearchOptions& options, LmdSet& found) {
+  const Mesh &a = model_a.mesh(), &b = model_b.mesh();
   const Placement placement(a.frame, b.frame, a_from_b);
   const double cutoff = options.cutoff / a.frame.scale, touch = touching_distance(placement);
-  const bool same =
-      options.cutoff == options_.cutoff && options.parallel_tolerance == options_.parallel_tolerance;
   found.clear();
   work_ = {};
   minima_.clear();
   ignored_.clear();
-  if (odometer_ && same) {
-    odometer_->advance(placement);
-  } else {
-    start(placement, options);
-  }
-  const double reach = b_.radius() / a.frame.scale + cutoff;
+  const bool going_on = goes_on(model_a, model_b, options);
+  a_ = &model_a;
+  b_ = &model_b;
+  options_ = options;
+  going_on ? odometer_->advance(placement) : start(placement);
+  const double reach = model_b.radius() / a.frame.scale + cutoff;
   const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
   Tick tick{placement,
             reach,
@@ -66,7 +63,6 @@ void KineticFront::update(const Pose& a_from_b, const SearchOptions& options, Lm
             FeaturePairTest(a, b, placement, limits, ignored_),
             FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
             found};
-  options_.max_overlaps = options.max_overlaps;
   scan(tick);
   build_next_front(tick);
 
@@ -75,11 +71,14 @@ void KineticFront::update(const Pose& a_from_b, const SearchOptions& options, Lm
   to_metres(a.frame, found);
 }
 
-void KineticFront::start(const Placement& placement, const SearchOptions& options) {
-  options_ = options;
-  const Mesh& b = b_.mesh();
-  const DVec3 centre = (b_.centre() - b.frame.origin) / b.frame.scale;
-  odometer_.emplace(centre, b_.radius() / a_.mesh().frame.scale + options.cutoff / a_.mesh().frame.scale);
+bool KineticFront::goes_on(const Model& a, const Model& b, const SearchOptions& options) const {
+  return odometer_ && &a == a_ && &b == b_ && options.cutoff == options_.cutoff &&
+         options.parallel_tolerance == options_.parallel_tolerance;
+}
+
+void KineticFront::start(const Placement& placement) {
+  const ModelFrame &to = a_->mesh().frame, &from = b_->mesh().frame;
+  odometer_.emplace((b_->centre() - from.origin) / from.scale, (b_->radius() + options_.cutoff) / to.scale);
   odometer_->start(placement);
   front_.assign(1, {0, 0, -1.0f, -1.0f});
   next_front_.clear();
@@ -112,7 +111,7 @@ void KineticFront::scan(Tick& tick) {
 void KineticFront::settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
                           bool collect) {
   ++tick.found.work.node_pairs;
-  const Tree &tree_a = a_.tree(), &tree_b = b_.tree();
+  const Tree &tree_a = a_->tree(), &tree_b = b_->tree();
   const Node &a = tree_a.node(pair.a), &b = tree_b.node(pair.b);
   Certificate certificate = tick.node_test.certify(a, b, odometer_->rate(), tick.reach);
   if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
@@ -131,8 +130,8 @@ void KineticFront::settle(Tick& tick, NodePair pair, std::vector<Entry>& front, 
 
 Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect) {
   ++tick.found.work.triangle_pairs;
-  const TestedTriangle tested_a = owned_triangle(a_.tree(), a_.mesh(), a);
-  const TestedTriangle tested_b = owned_triangle(b_.tree(), b_.mesh(), b, tick.placement);
+  const TestedTriangle tested_a = owned_triangle(a_->tree(), a_->mesh(), a);
+  const TestedTriangle tested_b = owned_triangle(b_->tree(), b_->mesh(), b, tick.placement);
   if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch) && collect)
     tick.found.add_overlap({a, b}, options_.max_overlaps);
   std::vector<Minimum>& minima = collect ? minima_ : ignored_;

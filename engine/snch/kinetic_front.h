@@ -33,11 +33,13 @@ struct FrontWork {
 // 1998).
 class KineticFront {
  public:
-  KineticFront(const Model& a, const Model& b);
+  // Fills `found` with the complete set at this pose. Other models, or another cutoff or tolerance than last
+  // time, start afresh. The models must live until the next update or forget().
+  void update(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
+              LmdSet& found);
 
-  // Fills `found` with the complete set at this pose. A cutoff or tolerance other than the last one starts
-  // afresh.
-  void update(const Pose& a_from_b, const SearchOptions& options, LmdSet& found);
+  // Starts afresh next time; keeps the memory.
+  void forget() { odometer_.reset(); }
 
   const FrontWork& work() const { return work_; }  // of the last update
 
@@ -54,7 +56,8 @@ class KineticFront {
   };
   struct Tick;
 
-  void start(const Placement& placement, const SearchOptions& options);
+  bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
+  void start(const Placement& placement);
   void scan(Tick& tick);
   void settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
               bool collect);
@@ -63,8 +66,8 @@ class KineticFront {
   void rebase();
   Entry entry_of(NodePair pair, const Certificate& certificate) const;
 
-  const Model& a_;
-  const Model& b_;
+  const Model* a_ = nullptr;
+  const Model* b_ = nullptr;
   SearchOptions options_;
   std::optional<Odometer> odometer_;
   std::vector<Entry> front_;

@@ -27,7 +27,8 @@ struct RunArguments {
   double stiffness = 1000.0;  // N/m
   std::string mode = "global";
   std::string law = "springs";
-  std::string out;  // empty: no file
+  unsigned global_every = 10;  // ticks, while descending
+  std::string out;             // empty: no file
   bool json = false;
 };
 

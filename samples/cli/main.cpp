@@ -38,7 +38,15 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
       ->required();
   command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")->capture_default_str();
-  command->add_option("--mode", arguments.mode, "global: the complete set every tick")->capture_default_str();
+  command
+      ->add_option("--mode", arguments.mode,
+                   "global: the complete set from scratch every tick; certified: the complete set kept up to "
+                   "date; descent: local descent from the last search")
+      ->capture_default_str();
+  command
+      ->add_option("--global-every", arguments.global_every,
+                   "While descending, ticks from one search to the next")
+      ->capture_default_str();
   command->add_option("--law", arguments.law, "springs")->capture_default_str();
   command->add_option("--out", arguments.out, "Write a CSV row for each tick");
   command->add_flag("--json", arguments.json, "Print the summary as JSON");

@@ -12,8 +12,15 @@
 namespace palpate::cli {
 namespace {
 
+plp_mode mode_of(const std::string& name) {
+  if (name == "global") return PLP_MODE_GLOBAL;
+  if (name == "descent") return PLP_MODE_DESCENT;
+  if (name == "certified") return PLP_MODE_CERTIFIED;
+  throw Failure("--mode " + name + ": it is global, descent or certified");
+}
+
 void require_supported(const RunArguments& arguments) {
-  if (arguments.mode != "global") throw Failure("--mode " + arguments.mode + ": supported is only global");
+  if (arguments.global_every == 0) throw Failure("--global-every 0: it is at least 1");
   if (arguments.law != "springs") throw Failure("--law " + arguments.law + ": supported is only springs");
 }
 
@@ -25,6 +32,8 @@ class Stage {
     plp_scene_options_init(&options);
     options.cutoff = arguments.cutoff;
     options.stiffness = arguments.stiffness;
+    options.mode = mode_of(arguments.mode);
+    options.global_every = arguments.global_every;
     check(plp_scene_create(&options, scene_.receive()));
     add(load_model(arguments.a), PLP_BODY_STATIC);
     tool_ = add(load_model(arguments.b), PLP_BODY_TOOL);
@@ -39,9 +48,9 @@ class Stage {
     plp_contacts contacts;
     plp_contacts_init(&contacts);
     check(plp_scene_get_contacts(scene_.get(), &contacts));
-    const double global_us = contacts.work.body_pairs > 0 ? contacts.search_us : 0.0;
-    return {at.seconds,   contacts.set_count, contacts.min_distance,        contacts.wrench,
-            took.count(), global_us,          contacts.work.triangle_pairs, 0};
+    const plp_work& work = contacts.work;
+    return {at.seconds,   contacts.set_count, contacts.min_distance, contacts.wrench,
+            took.count(), work.global_us,     work.triangle_pairs,   work.age};
   }
 
  private:

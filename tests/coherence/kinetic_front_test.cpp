@@ -49,7 +49,7 @@ TEST_P(Coherence, IsTheCompleteSetInEveryTick) {
   SearchOptions options;
   options.cutoff = 0.02 * diagonal;
   const std::vector<Pose> motion = sliding_motion(*a, *b, options.cutoff, c.speed * diagonal, kTicks, random);
-  KineticFront front(*a, *b);
+  KineticFront front;
   LmdSearch search;
   LmdSet complete, certified;
   std::vector<double> front_us, search_us;
@@ -60,7 +60,7 @@ TEST_P(Coherence, IsTheCompleteSetInEveryTick) {
     search.run(*a, *b, pose, options, complete);
     search_us.push_back(search_watch.elapsed_us());
     const Stopwatch watch;
-    front.update(pose, options, certified);
+    front.update(*a, *b, pose, options, certified);
     front_us.push_back(watch.elapsed_us());
     entries += static_cast<double>(front.work().entries);
     expired += static_cast<double>(front.work().expired);

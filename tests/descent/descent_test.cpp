@@ -50,7 +50,7 @@ TEST_P(Descent, EndsInMinimaOfTheCompleteSet) {
       seeds.lmds.push_back({{}, {}, {}, 0, 0, 0, on_a, on_b});
     }
     tracker.adopt(a->mesh(), b->mesh(), seeds);
-    tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+    tracker.follow(a->mesh(), b->mesh(), pose, options, options.cutoff, followed);
     EXPECT_LE(tracker.work().steps, 64u * tracker.work().descents);
     for (const Lmd& lmd : followed.lmds) {
       const bool known = std::any_of(complete.lmds.begin(), complete.lmds.end(), [&](const Lmd& other) {
@@ -78,7 +78,7 @@ TEST_P(PolarDescentOnly, StandsStillWhereNothingMoves) {
     LmdTracker tracker;
     tracker.adopt(a->mesh(), b->mesh(), complete);
     for (int repeat = 0; repeat < 2; ++repeat) {
-      tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+      tracker.follow(a->mesh(), b->mesh(), pose, options, options.cutoff, followed);
       ASSERT_EQ(followed.set_count, complete.set_count);
       ASSERT_EQ(followed.lmds.size(), complete.lmds.size());
       for (std::size_t k = 0; k < complete.lmds.size(); ++k) {
@@ -109,7 +109,7 @@ TEST_P(Descent, FollowsAMotion) {
     search.run(*a, *b, motion[tick], options, complete);
     if (tick % 10 == 0) tracker.adopt(a->mesh(), b->mesh(), complete);
     const Stopwatch watch;
-    tracker.follow(a->mesh(), b->mesh(), motion[tick], options, followed);
+    tracker.follow(a->mesh(), b->mesh(), motion[tick], options, options.cutoff, followed);
     time_us += watch.elapsed_us();
     work.descents += tracker.work().descents;
     work.steps += tracker.work().steps;
@@ -160,7 +160,7 @@ TEST(DescentPlateau, KeepsAllItsPointsWhileItSlides) {
     const Pose pose{DMat3(1.0), {-0.3 + 0.002 * tick, 0.1 + 0.0005 * tick, 0.78}};
     search.run(*a, *b, pose, options, complete);
     if (tick == 0) tracker.adopt(a->mesh(), b->mesh(), complete);
-    tracker.follow(a->mesh(), b->mesh(), pose, options, followed);
+    tracker.follow(a->mesh(), b->mesh(), pose, options, options.cutoff, followed);
     ASSERT_EQ(followed.set_count, 1u) << tick;
     ASSERT_EQ(followed.lmds.size(), complete.lmds.size()) << tick;
   }
@@ -179,7 +179,7 @@ TEST(DescentContact, ReportsTouchingInsteadOfAMinimum) {
   tracker.adopt(a->mesh(), b->mesh(), found);
   while (height > 0.7) {
     height -= 0.001;
-    tracker.follow(a->mesh(), b->mesh(), {tilt, {0.05, 0.02, height}}, options, found);
+    tracker.follow(a->mesh(), b->mesh(), {tilt, {0.05, 0.02, height}}, options, options.cutoff, found);
     if (found.overlapping()) break;
   }
   EXPECT_TRUE(found.overlapping());

@@ -32,7 +32,7 @@ TEST(Growth, TrianglesCrossedGrowWithTheSquareRoot) {
     tracker.adopt(ball->mesh(), probe->mesh(), found);
     std::uint64_t crossed = 0, descents = 0;
     for (int tick = 1; tick < 40; ++tick) {
-      tracker.follow(ball->mesh(), probe->mesh(), pose_at(tick), options, found);
+      tracker.follow(ball->mesh(), probe->mesh(), pose_at(tick), options, options.cutoff, found);
       crossed += tracker.work().steps;
       descents += tracker.work().descents;
       if (tracker.size() == 0) {

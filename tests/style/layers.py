@@ -15,7 +15,7 @@ BELOW = {
     "engine/snch": ("engine/mesh", "engine/kernel"),
     "engine/descent": ("engine/snch", "engine/kernel"),
     "engine/contact": ("engine/math",),
-    "engine/scene": ("engine/snch", "engine/contact"),
+    "engine/scene": ("engine/descent", "engine/contact"),
     "engine/exchange": ("engine/base",),
     "engine/runtime": ("engine/scene", "engine/descent", "engine/exchange"),
     "engine/device": ("engine/math", "engine/exchange"),

@@ -6,7 +6,7 @@ palpate_build_packages=(
   libcli11-dev nlohmann-json3-dev
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 binutils pkg-config
+  libgtest-dev clang-format-14 binutils make pkg-config
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
 )
 

@@ -332,6 +332,12 @@ typedef struct plp_work {
   uint64_t body_pairs;     /**< searched */
   uint64_t node_pairs;     /**< pairs of hierarchy nodes visited */
   uint64_t triangle_pairs; /**< pairs of triangles tested */
+  uint64_t descents;       /**< PLP_MODE_DESCENT: LMDs followed */
+  uint64_t descent_steps;  /**< PLP_MODE_DESCENT: moves to other triangles */
+  uint64_t front_entries;  /**< PLP_MODE_CERTIFIED: certificates kept */
+  uint64_t front_expired;  /**< PLP_MODE_CERTIFIED: of those, renewed in this step */
+  uint64_t age;            /**< steps since the search that the LMDs come from */
+  double global_us;        /**< time of searches from scratch in this step */
 } plp_work;
 
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
@@ -404,13 +410,23 @@ PLP_API plp_result plp_query_result_get(plp_query_result result, plp_contacts* c
 /** Bodies, one of which is the tool that the hand moves. */
 typedef struct plp_scene_t* plp_scene;
 
+/** How a scene finds its LMDs in each step. */
+typedef enum plp_mode {
+  PLP_MODE_GLOBAL = 0, /**< the complete set, searched from scratch */
+  PLP_MODE_DESCENT =
+      1, /**< local descent from the last search, which is repeated every few steps: new LMDs come late */
+  PLP_MODE_CERTIFIED = 2 /**< the complete set, kept up to date with proof as the models move */
+} plp_mode;
+
 /** How a scene is made. */
 typedef struct plp_scene_options {
   uint32_t struct_size;
   uint32_t max_overlaps;
-  plp_space space;  /**< of poses, points and wrenches of this scene */
-  double cutoff;    /**< units of the space, positive */
-  double stiffness; /**< N/m, not negative */
+  plp_space space;       /**< of poses, points and wrenches of this scene */
+  double cutoff;         /**< units of the space, positive */
+  double stiffness;      /**< N/m, not negative */
+  int32_t mode;          /**< plp_mode */
+  uint32_t global_every; /**< PLP_MODE_DESCENT: steps from one search to the next; 0 for 10 */
 } plp_scene_options;
 
 /** @brief Fills `options`: Palpate's space, no cutoff yet, 1000 N/m, up to 1024 overlaps.
@@ -465,6 +481,10 @@ PLP_API plp_result plp_scene_get_pose(plp_scene scene, plp_body body, plp_pose* 
 /** @brief Sets the cutoff (units of the scene's space, positive). @return PLP_ERROR_INVALID_HANDLE or
  *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
 PLP_API plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff);
+
+/** @brief Sets how LMDs are found from the next step on (plp_mode). @return PLP_ERROR_INVALID_HANDLE or
+ *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+PLP_API plp_result plp_scene_set_mode(plp_scene scene, int32_t mode);
 
 /** @brief Sets the stiffness (N/m, not negative). @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
  *  @threadsafety object @since 0.1 */

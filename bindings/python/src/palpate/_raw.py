@@ -49,6 +49,9 @@ PLP_FEATURE_VERTEX = 2
 PLP_BODY_STATIC = 0
 PLP_BODY_MOVING = 1
 PLP_BODY_TOOL = 2
+PLP_MODE_GLOBAL = 0
+PLP_MODE_DESCENT = 1
+PLP_MODE_CERTIFIED = 2
 
 plp_log_callback = CFUNCTYPE(None, c_int, c_char_p, c_void_p)
 
@@ -160,6 +163,12 @@ class plp_work(Structure):
         ("body_pairs", c_uint64),
         ("node_pairs", c_uint64),
         ("triangle_pairs", c_uint64),
+        ("descents", c_uint64),
+        ("descent_steps", c_uint64),
+        ("front_entries", c_uint64),
+        ("front_expired", c_uint64),
+        ("age", c_uint64),
+        ("global_us", c_double),
     ]
 
 
@@ -200,6 +209,8 @@ class plp_scene_options(Structure):
         ("space", plp_space),
         ("cutoff", c_double),
         ("stiffness", c_double),
+        ("mode", c_int32),
+        ("global_every", c_uint32),
     ]
 
 
@@ -267,6 +278,7 @@ plp_scene_remove_body = _function("plp_scene_remove_body", _result, _handle, _bo
 plp_scene_set_pose = _function("plp_scene_set_pose", _result, _handle, _body, POINTER(plp_pose))
 plp_scene_get_pose = _function("plp_scene_get_pose", _result, _handle, _body, POINTER(plp_pose))
 plp_scene_set_cutoff = _function("plp_scene_set_cutoff", _result, _handle, c_double)
+plp_scene_set_mode = _function("plp_scene_set_mode", _result, _handle, c_int32)
 plp_scene_set_stiffness = _function("plp_scene_set_stiffness", _result, _handle, c_double)
 plp_scene_step = _function("plp_scene_step", _result, _handle)
 plp_scene_get_contacts = _function("plp_scene_get_contacts", _result, _handle, POINTER(plp_contacts))

@@ -32,6 +32,12 @@ class Work(NamedTuple):
     body_pairs: int
     node_pairs: int
     triangle_pairs: int
+    descents: int
+    descent_steps: int
+    front_entries: int
+    front_expired: int
+    age: int
+    global_us: float
 
 
 class _Copy:
@@ -100,7 +106,7 @@ class Contacts:
     @property
     def work(self) -> Work:
         work = self._struct.work
-        return Work(work.bodies, work.body_pairs, work.node_pairs, work.triangle_pairs)
+        return Work(*(getattr(work, name) for name in Work._fields))
 
     def copy(self) -> "Contacts":
         """The same outcome in memory of its own."""

@@ -14,7 +14,15 @@ from .pose import Pose, PoseLike, pose_of, pose_struct
 from .space import Space, space_struct
 
 Kind = Literal["static", "moving", "tool"]
+Mode = Literal["global", "descent", "certified"]
+_MODES = {"global": _raw.PLP_MODE_GLOBAL, "descent": _raw.PLP_MODE_DESCENT, "certified": _raw.PLP_MODE_CERTIFIED}
 _KINDS = {"static": _raw.PLP_BODY_STATIC, "moving": _raw.PLP_BODY_MOVING, "tool": _raw.PLP_BODY_TOOL}
+
+
+def _mode(mode: str) -> int:
+    if mode not in _MODES:
+        raise InvalidArgument(f"mode is {mode!r}, which is none of {', '.join(_MODES)}")
+    return _MODES[mode]
 
 
 class Body:
@@ -51,18 +59,33 @@ class Scene(Closing):
     """Bodies and a tool. Poses, points and the cutoff are in its `space`. One thread at a time may use it."""
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
-                 max_overlaps: int = 1024) -> None:
-        """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own."""
+                 mode: Mode = "certified",
+                 global_every: int = 10, max_overlaps: int = 1024) -> None:
+        """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own.
+        `mode`: "global" searches from scratch in every step; "certified" keeps the complete set up to date; "descent"
+        follows what a search found, repeated after `global_every` steps, and learns of new contacts late."""
         options = _raw.plp_scene_options()
         _raw.plp_scene_options_init(options)
         options.cutoff = cutoff
         options.stiffness = stiffness
         options.max_overlaps = uint32(max_overlaps, "max_overlaps")
+        options.mode = _mode(mode)
+        options.global_every = uint32(global_every, "global_every")
         if space is not None:
             options.space = space_struct(space)
         super().__init__(create(_raw.plp_scene_create, _raw.plp_scene_release, options))
         self._cutoff = options.cutoff
         self._stiffness = options.stiffness
+        self._mode: Mode = mode
+
+    @property
+    def mode(self) -> Mode:
+        return self._mode
+
+    @mode.setter
+    def mode(self, mode: Mode) -> None:
+        check(_raw.plp_scene_set_mode(self._handle, _mode(mode)))
+        self._mode = mode
 
     @property
     def cutoff(self) -> float:

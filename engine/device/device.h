@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/device/device_info.h"
+#include "engine/device/device_state.h"
+#include "engine/device/device_wrench.h"
+
+namespace palpate {
+
+// An open haptic device. Whoever owns the servo loop calls, once a tick and from one thread: read, write,
+// step. These three allocate nothing, lock nothing and do not throw.
+class Device {
+ public:
+  virtual ~Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  virtual const DeviceInfo& info() const = 0;
+
+  // The newest sample.
+  virtual DeviceState read() = 0;
+
+  // What the actuators hold until the next call, or until the device's own watchdog sets them to zero. Safety
+  // limits come before: a device saturates, but does not judge.
+  virtual void write(const DeviceWrench& wrench) = 0;
+
+  // Lets `dt` seconds pass for a device whose time does not pass by itself; hardware has nothing to do.
+  virtual void step(double dt) = 0;
+
+ protected:
+  Device() = default;
+};
+
+}  // namespace palpate

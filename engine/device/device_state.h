@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/device/rigid_motion.h"
+
+namespace palpate {
+
+// One sample of a device's sensors.
+struct DeviceState {
+  RigidMotion tool;
+  double time = 0.0;           // seconds, of the sample, by the device's own clock
+  std::uint64_t sequence = 0;  // grows with every sample: equal means nothing new was measured
+  std::uint32_t buttons = 0;   // bit i is set while button i is held
+  bool calibrated = false;     // a pose that is not calibrated must not be turned into force
+};
+
+}  // namespace palpate

@@ -1,0 +1,57 @@
+#include "engine/device/registry.h"
+
+#include <string>
+#include <utility>
+
+#include "engine/device/simulated/simulated_backend.h"
+
+namespace palpate {
+
+DeviceRegistry DeviceRegistry::standard() {
+  DeviceRegistry registry;
+  registry.add(std::make_unique<SimulatedBackend>());
+  return registry;
+}
+
+void DeviceRegistry::add(std::unique_ptr<DeviceBackend> backend) {
+  backends_.push_back(std::move(backend));
+}
+
+std::vector<DeviceIdentity> DeviceRegistry::enumerate() const {
+  std::vector<DeviceIdentity> all;
+  for (const auto& backend : backends_) {
+    const std::vector<DeviceIdentity> found = backend->enumerate();
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+Result<std::unique_ptr<Device>> DeviceRegistry::open(std::string_view uri) const {
+  if (uri.empty()) uri = kDefaultDeviceUri;
+  const std::size_t colon = uri.find(':');
+  if (colon == std::string_view::npos) return unknown(uri);
+  const DeviceBackend* backend = find(uri.substr(0, colon));
+  if (!backend) return unknown(uri);
+  Result<std::unique_ptr<Device>> opened = backend->open(uri.substr(colon + 1));
+  if (opened && !opened.value()) return unknown(uri);
+  return opened;
+}
+
+const DeviceBackend* DeviceRegistry::find(std::string_view scheme) const {
+  for (const auto& backend : backends_) {
+    if (backend->scheme() == scheme) return backend.get();
+  }
+  return nullptr;
+}
+
+Error DeviceRegistry::unknown(std::string_view uri) const {
+  std::string message = "no device \"" + std::string(uri) + "\"; there are";
+  const char* separator = " ";
+  for (const DeviceIdentity& identity : enumerate()) {
+    message += separator + identity.uri;
+    separator = ", ";
+  }
+  return {ErrorCode::kInvalidArgument, message};
+}
+
+}  // namespace palpate
