@@ -21,11 +21,11 @@ inline constexpr std::uint32_t kFirstSize<plp_triangles> = 88;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_model_info> = 288;
 template <>
-inline constexpr std::uint32_t kFirstSize<plp_contacts> = 168;
+inline constexpr std::uint32_t kFirstSize<plp_contacts> = 216;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_query_options> = 48;
 template <>
-inline constexpr std::uint32_t kFirstSize<plp_scene_options> = 48;
+inline constexpr std::uint32_t kFirstSize<plp_scene_options> = 56;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_body_options> = 104;
 

@@ -105,6 +105,25 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(float(ticks[1]["global_us"]), 0.0, "nothing moved, so nothing is searched")
         self.assertEqual(float(ticks[2]["min_distance"]), float("inf"))
 
+    def test_run_in_every_mode(self):
+        rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},{1.15 - 0.001 * i},0.01,0,0,0,{0.001 * i},1" for i in range(40)]
+        poses = self.write("motion.csv", "\n".join(rows))
+        forces = {}
+        for mode in ("global", "descent", "certified"):
+            out = str(Path(self.folder.name) / f"{mode}.csv")
+            self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--stiffness", "500",
+                        "--mode", mode, "--global-every", "7", "--out", out)
+            with open(out, newline="") as file:
+                ticks = list(csv.DictReader(file))
+            forces[mode] = [(tick["lmds"], tick["fx"], tick["fy"], tick["tz"]) for tick in ticks]
+            searched = [i for i, tick in enumerate(ticks) if float(tick["global_us"]) > 0]
+            self.assertEqual(searched, {"global": list(range(40)), "descent": list(range(0, 40, 7)), "certified": []}[mode])
+            self.assertEqual({int(tick["age_ticks"]) for tick in ticks}, set(range(7)) if mode == "descent" else {0})
+        self.assertEqual(forces["certified"], forces["global"])
+        for one, other in zip(forces["descent"], forces["global"]):
+            self.assertEqual(one[0], other[0])
+            self.assertAlmostEqual(float(one[1]), float(other[1]), delta=1e-6)
+
     def test_mistakes(self):
         poses = self.write("poses.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,2,3\n")
         header = self.write("header.csv", "time,x\n")
@@ -114,7 +133,8 @@ class CommandLine(unittest.TestCase):
         self.assertIn("garbage.glb", self.complaint("info", garbage))
         self.assertIn("poses.csv:3", self.complaint(*run, poses))
         self.assertIn("header.csv:1", self.complaint(*run, header))
-        self.assertIn("global", self.complaint(*run, poses, "--mode", "descent"))
+        self.assertIn("certified", self.complaint(*run, poses, "--mode", "telepathic"))
+        self.assertIn("--global-every", self.complaint(*run, poses, "--global-every", "0"))
         self.assertIn("springs", self.complaint(*run, poses, "--law", "smooth"))
         self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", "1", "2", "--cutoff", "1"))
         self.assertIn("cutoff", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "-1"))

@@ -17,7 +17,8 @@ FUNCTION = re.compile(r"^PLP_API ([\w ]+?\*?) ?\b(plp_\w+)\((.*?)\);", re.MULTIL
 STRUCT = re.compile(r"typedef struct (plp_\w+) \{(.*?)\}", re.DOTALL)
 ENUM = re.compile(r"enum(?: plp_\w+)? \{(.*?)\}", re.DOTALL)
 PLAIN_TYPES = {
-    "void": None, "uint32_t": ctypes.c_uint32, "size_t": ctypes.c_size_t, "double": ctypes.c_double,
+    "void": None, "int32_t": ctypes.c_int32, "uint32_t": ctypes.c_uint32, "size_t": ctypes.c_size_t,
+    "double": ctypes.c_double,
     "char*": ctypes.c_char_p, "void*": ctypes.c_void_p, "plp_result": ctypes.c_int32, "plp_body": ctypes.c_uint64,
     "plp_model": ctypes.c_void_p, "plp_scene": ctypes.c_void_p, "plp_query_result": ctypes.c_void_p,
     "plp_log_callback": _raw.plp_log_callback,

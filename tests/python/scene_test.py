@@ -45,6 +45,24 @@ class SceneTest(unittest.TestCase):
                 self.scene.stiffness = wrong
         self.assertEqual((self.scene.cutoff, self.scene.stiffness), (0.3, 50.0))
 
+    def test_every_mode_feels_the_same(self):
+        forces = {}
+        for mode in ("global", "descent", "certified"):
+            self.scene.mode = mode
+            self.assertEqual(self.scene.mode, mode)
+            forces[mode] = []
+            for step in range(20):
+                self.tool.pose = beside(1.1 - 0.002 * step)
+                forces[mode].append(self.scene.step().wrench.force)
+        self.assertEqual(forces["certified"], forces["global"])
+        for one, other in zip(forces["descent"], forces["global"]):
+            self.assertAlmostEqual(one[0], other[0], delta=1e-9)
+        with self.assertRaises(palpate.InvalidArgument):
+            self.scene.mode = "telepathic"
+        with self.assertRaises(palpate.InvalidArgument):
+            palpate.Scene(0.2, mode="telepathic")
+        self.assertEqual(self.scene.mode, "certified")
+
     def test_a_body_has_its_own_stiffness(self):
         self.wall.remove()
         self.scene.add(box(), kind="moving", stiffness=10.0)
