@@ -20,6 +20,7 @@ plp_mode mode_of(const std::string& name) {
 }
 
 void require_supported(const RunArguments& arguments) {
+  static_cast<void>(mode_of(arguments.mode));
   if (arguments.global_every == 0) throw Failure("--global-every 0: it is at least 1");
   if (arguments.law != "springs") throw Failure("--law " + arguments.law + ": supported is only springs");
 }
