@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
 
 namespace palpate {
 namespace {
@@ -34,10 +33,6 @@ void drop_sets_beyond(double cutoff, LmdSet& found) {
   }
   found.lmds.erase(found.lmds.begin() + static_cast<std::ptrdiff_t>(kept), found.lmds.end());
   found.set_count = sets;
-}
-
-auto features_of(const Minimum& minimum) {
-  return std::tie(minimum.feature_a, minimum.feature_b);
 }
 
 }  // namespace
@@ -73,10 +68,9 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   explored_.clear();
   for (const TrianglePair seed : seeds_) follow_seed(tick, seed, found);
 
-  std::sort(minima_.begin(), minima_.end(),
-            [](const Minimum& one, const Minimum& other) { return features_of(one) < features_of(other); });
+  std::sort(minima_.begin(), minima_.end(), precedes);
   const auto same = [](const Minimum& one, const Minimum& other) {
-    return features_of(one) == features_of(other);
+    return !precedes(one, other) && !precedes(other, one);
   };
   minima_.erase(std::unique(minima_.begin(), minima_.end(), same), minima_.end());
   grouper_.group(a, b, {touch, options.parallel_tolerance}, minima_, found);

@@ -18,7 +18,7 @@ constexpr double kLongLived = 16.0;
 FeatureCertificate::FeatureCertificate(const Mesh& a, const Mesh& b, const Placement& placement,
                                        const FeaturePairTest::Limits& limits, const MotionRate& rate,
                                        double reach)
-    : a_{a, false}, b_{b, true}, placement_(placement), limits_(limits), rate_(rate), reach_(reach) {}
+    : a_{a, placement, false}, b_{b, placement, true}, limits_(limits), rate_(rate), reach_(reach) {}
 
 Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b) const {
   const ClosestPoints closest = closest_points(a.shape, b.shape);
@@ -29,6 +29,9 @@ Certificate FeatureCertificate::operator()(const TestedTriangle& a, const Tested
   Certificate all = Certificate::within_distance(distance - 2 * limits_.touch);
   all = both(all, corners_and_face(b_, b, a_, a));
   all = both(all, corners_and_face(a_, a, b_, b));
+  all = both(all, faces(a, b));
+  all = both(all, edges_and_face(b_, b, a_, a));
+  all = both(all, edges_and_face(a_, a, b_, b));
   if (!all.holds()) return {};
   all = both(all, edges(a, b));
   if (!all.holds()) return {};
@@ -37,15 +40,16 @@ Certificate FeatureCertificate::operator()(const TestedTriangle& a, const Tested
   return both(all, corners(a, b));
 }
 
-Certificate FeatureCertificate::corners_and_face(const Side& corner_side, const TestedTriangle& corners,
-                                                 const Side& face_side, const TestedTriangle& face) const {
+Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
+                                                 const MeshSide& face_side,
+                                                 const TestedTriangle& face) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
   if (!corners.corners) return all;
   const Triangle& triangle = face.shape;
   const DVec3 normal = glm::normalize(triangle.area_vector());
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int k = 0; k < 3; ++k) {
-    if (!(corners.corners & (1u << k))) continue;
+    if (!corners.has_corner(k)) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], normal);
     double outside = std::max(std::abs(height) - limits_.cutoff, two_sided ? 0.0 : -height);
@@ -56,10 +60,51 @@ Certificate FeatureCertificate::corners_and_face(const Side& corner_side, const 
     }
     Certificate one = seen_from(face_side, outside);
     if (rate_.lifetime(one) < kLongLived) {
-      const std::uint32_t vertex = corner_side.mesh.triangles[corners.index][k];
-      double lean = corner_lean(corner_side, vertex, -normal);
-      if (two_sided) lean = std::min(lean, corner_lean(corner_side, vertex, normal));
+      const Feature vertex = corner_side.vertex(corners, k);
+      double lean = corner_side.violation(vertex, -normal);
+      if (two_sided) lean = std::min(lean, corner_side.violation(vertex, normal));
       one = longer(one, Certificate::within_angle(lean - limits_.parallel_tolerance), rate_);
+    }
+    all = both(all, one);
+  }
+  return all;
+}
+
+// Until they are parallel.
+Certificate FeatureCertificate::faces(const TestedTriangle& a, const TestedTriangle& b) const {
+  const DVec3 normal_a = glm::normalize(a.shape.area_vector()),
+              normal_b = glm::normalize(b.shape.area_vector());
+  const double sine = glm::length(glm::cross(normal_a, normal_b)), cosine = -glm::dot(normal_a, normal_b);
+  const bool two_sided = a_.mesh.double_sided[a.index] || b_.mesh.double_sided[b.index];
+  const double angle = std::atan2(sine, two_sided ? std::abs(cosine) : cosine);
+  return Certificate::within_angle(angle - 2 * limits_.parallel_tolerance);
+}
+
+// Until an edge is parallel to the face and holds its normal, or comes over it.
+Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
+                                               const MeshSide& face_side, const TestedTriangle& face) const {
+  Certificate all{Certificate::kForever, Certificate::kForever};
+  const DVec3 normal = glm::normalize(face.shape.area_vector());
+  const bool two_sided = face_side.mesh.double_sided[face.index];
+  for (int j = 0; j < 3; ++j) {
+    if (!edges.has_side(j)) continue;
+    const DVec3 &start = edges.shape.start(j), &end = edges.shape.end(j);
+    const auto height = [&](const DVec3& point) { return glm::dot(normal, point - face.shape.corner[0]); };
+    double outside = two_sided ? 0.0 : -std::max(height(start), height(end));
+    for (int side = 0; side < 3; ++side) {
+      const DVec3 along = face.shape.along(side);
+      const DVec3 away = glm::cross(along, normal) / glm::length(along);
+      outside = std::max(outside, std::min(glm::dot(away, start - face.shape.start(side)),
+                                           glm::dot(away, end - face.shape.start(side))));
+    }
+    Certificate one = seen_from(face_side, outside);
+    if (rate_.lifetime(one) < kLongLived) {
+      const Feature edge = edge_side.edge(edges, j);
+      double lean = edge_side.violation(edge, -normal);
+      if (two_sided) lean = std::min(lean, edge_side.violation(edge, normal));
+      const double tilt = std::abs(glm::dot(normal, end - start)) / glm::length(end - start);
+      one = longer(one, Certificate::within_angle(std::max(lean, tilt) - 2 * limits_.parallel_tolerance),
+                   rate_);
     }
     all = both(all, one);
   }
@@ -69,17 +114,15 @@ Certificate FeatureCertificate::corners_and_face(const Side& corner_side, const 
 Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
   for (int i = 0; i < 3; ++i) {
-    if (!(a.sides & (1u << i))) continue;
+    if (!a.has_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(b.sides & (1u << j))) continue;
+      if (!b.has_side(j)) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const double lengths = glm::length(u) + glm::length(v);
       const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
       if (rate_.lifetime(one) < kLongLived)
-        one = longer(one,
-                     edge_pair(a_.mesh.triangle_edges[a.index][i], u, b_.mesh.triangle_edges[b.index][j], v),
-                     rate_);
+        one = longer(one, edge_pair(a_.edge(a, i), u, b_.edge(b, j), v), rate_);
       all = both(all, one);
     }
   }
@@ -88,28 +131,29 @@ Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTrian
 
 // The common normal of unit vectors that turn by an angle turns by no more than twice that over the sine
 // between them.
-Certificate FeatureCertificate::edge_pair(std::uint32_t edge_a, const DVec3& u, std::uint32_t edge_b,
+Certificate FeatureCertificate::edge_pair(const Feature& edge_a, const DVec3& u, const Feature& edge_b,
                                           const DVec3& v) const {
   const DVec3 common = glm::cross(u / glm::length(u), v / glm::length(v));
   const double sine = glm::length(common);
   if (!(sine > 1e-6)) return {};
   const DVec3 normal = common / sine;
-  const double forward = std::max(edge_lean(a_, edge_a, normal), edge_lean(b_, edge_b, -normal));
-  const double backward = std::max(edge_lean(a_, edge_a, -normal), edge_lean(b_, edge_b, normal));
+  const double forward = std::max(a_.violation(edge_a, normal), b_.violation(edge_b, -normal));
+  const double backward = std::max(a_.violation(edge_a, -normal), b_.violation(edge_b, normal));
   const double lean = std::min(forward, backward) - limits_.parallel_tolerance;
   return Certificate::within_angle(lean / (1.0 + 2.0 / sine));
 }
 
-Certificate FeatureCertificate::corners_and_edges(const Side& corner_side, const TestedTriangle& corners,
-                                                  const Side& edge_side, const TestedTriangle& edges) const {
+Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
+                                                  const MeshSide& edge_side,
+                                                  const TestedTriangle& edges) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
   if (!corners.corners) return all;
   for (int j = 0; j < 3; ++j) {
-    if (!(edges.sides & (1u << j))) continue;
+    if (!edges.has_side(j)) continue;
     const DVec3 along = edges.shape.along(j);
     const double length = glm::length(along);
     for (int k = 0; k < 3; ++k) {
-      if (!(corners.corners & (1u << k))) continue;
+      if (!corners.has_corner(k)) continue;
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const DVec3 between = corner - edges.shape.start(j) - along * (place / length);
@@ -118,9 +162,9 @@ Certificate FeatureCertificate::corners_and_edges(const Side& corner_side, const
       Certificate one = seen_from(edge_side, outside);
       if (rate_.lifetime(one) < kLongLived && distance > 0) {
         const DVec3 u = between / distance;
-        const std::uint32_t edge = edge_side.mesh.triangle_edges[edges.index][j];
-        const std::uint32_t vertex = corner_side.mesh.triangles[corners.index][k];
-        const double lean = std::max(edge_lean(edge_side, edge, u), corner_lean(corner_side, vertex, -u));
+        const Feature edge = edge_side.edge(edges, j);
+        const Feature vertex = corner_side.vertex(corners, k);
+        const double lean = std::max(edge_side.violation(edge, u), corner_side.violation(vertex, -u));
         one = longer(one, leaning(edge_side, lean, distance), rate_);
       }
       all = both(all, one);
@@ -132,16 +176,15 @@ Certificate FeatureCertificate::corners_and_edges(const Side& corner_side, const
 Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
   for (int i = 0; i < 3; ++i) {
-    if (!(a.corners & (1u << i))) continue;
+    if (!a.has_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(b.corners & (1u << j))) continue;
+      if (!b.has_corner(j)) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       Certificate one = Certificate::within_distance(distance - limits_.cutoff);
       if (rate_.lifetime(one) < kLongLived && distance > 0) {
         const DVec3 u = between / distance;
-        const double lean = std::max(corner_lean(a_, a_.mesh.triangles[a.index][i], u),
-                                     corner_lean(b_, b_.mesh.triangles[b.index][j], -u));
+        const double lean = std::max(a_.violation(a_.vertex(a, i), u), b_.violation(b_.vertex(b, j), -u));
         one = longer(one, leaning(a_, lean, distance), rate_);
       }
       all = both(all, one);
@@ -150,22 +193,13 @@ Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTri
   return all;
 }
 
-// `u` in A's frame leads away from the feature.
-double FeatureCertificate::corner_lean(const Side& side, std::uint32_t vertex, const DVec3& u) const {
-  return vertex_violation(side.mesh, vertex, side.second ? placement_.into_b(u) : u);
-}
-
-double FeatureCertificate::edge_lean(const Side& side, std::uint32_t edge, const DVec3& u) const {
-  return edge_violation(side.mesh, edge, side.second ? placement_.into_b(u) : u);
-}
-
-Certificate FeatureCertificate::seen_from(const Side& side, double slack) const {
-  return Certificate::within_distance(side.second ? std::min(0.5 * slack, reach_) : slack);
+Certificate FeatureCertificate::seen_from(const MeshSide& side, double slack) const {
+  return Certificate::within_distance(side.is_b ? std::min(0.5 * slack, reach_) : slack);
 }
 
 // A direction between points at `distance` turns by no more than twice their motion over it, and a polar cone
 // with its model: half of the lean for each.
-Certificate FeatureCertificate::leaning(const Side& side, double lean, double distance) const {
+Certificate FeatureCertificate::leaning(const MeshSide& side, double lean, double distance) const {
   const double left = lean - limits_.parallel_tolerance - limits_.touch / distance;
   Certificate certificate = seen_from(side, 0.25 * left * distance);
   certificate.angle = std::max(0.0, 0.5 * left);

@@ -22,26 +22,22 @@ class FeatureCertificate {
   Certificate operator()(const TestedTriangle& a, const TestedTriangle& b) const;
 
  private:
-  struct Side {
-    const Mesh& mesh;
-    bool second;
-  };
-  Certificate corners_and_face(const Side& corner_side, const TestedTriangle& corners, const Side& face_side,
-                               const TestedTriangle& face) const;
+  Certificate corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
+                               const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;
-  Certificate edge_pair(std::uint32_t edge_a, const DVec3& u, std::uint32_t edge_b, const DVec3& v) const;
-  Certificate corners_and_edges(const Side& corner_side, const TestedTriangle& corners, const Side& edge_side,
-                                const TestedTriangle& edges) const;
+  Certificate edge_pair(const Feature& edge_a, const DVec3& u, const Feature& edge_b, const DVec3& v) const;
+  Certificate corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
+                                const MeshSide& edge_side, const TestedTriangle& edges) const;
+  Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
+  Certificate edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
+                             const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate corners(const TestedTriangle& a, const TestedTriangle& b) const;
 
-  double corner_lean(const Side& side, std::uint32_t vertex, const DVec3& u) const;
-  double edge_lean(const Side& side, std::uint32_t edge, const DVec3& u) const;
-  Certificate seen_from(const Side& side, double slack) const;
-  Certificate leaning(const Side& side, double lean, double distance) const;
+  Certificate seen_from(const MeshSide& side, double slack) const;
+  Certificate leaning(const MeshSide& side, double lean, double distance) const;
 
-  const Side a_;
-  const Side b_;
-  const Placement& placement_;
+  const MeshSide a_;
+  const MeshSide b_;
   const FeaturePairTest::Limits limits_;
   const MotionRate rate_;
   const double reach_;

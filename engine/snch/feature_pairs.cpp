@@ -23,8 +23,8 @@ constexpr double kRoundingOfTouch = 0.2;
 
 // `point_first` is on the model that `first` names, `normal` points from there to the other.
 struct FeaturePairTest::Candidate {
-  const Side& first;
-  const Side& second;
+  const MeshSide& first;
+  const MeshSide& second;
   Feature first_feature;
   Feature second_feature;
   DVec3 first_point;
@@ -38,7 +38,12 @@ struct FeaturePairTest::Candidate {
 
 FeaturePairTest::FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& placement,
                                  const Limits& limits, std::vector<Minimum>& found)
-    : placement_(placement), limits_(limits), a_{a, false}, b_{b, true}, found_(found) {}
+    : placement_(placement),
+      limits_(limits),
+      a_{a, placement_, false},
+      b_{b, placement_, true},
+      cells_(a_, b_, limits, found),
+      found_(found) {}
 
 void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b) {
   test_corners_and_face(b_, b, a_, a);
@@ -47,16 +52,17 @@ void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& 
   test_corners_and_edges(b_, b, a_, a);
   test_corners_and_edges(a_, a, b_, b);
   test_corners(a, b);
+  cells_(a, b);
 }
 
-void FeaturePairTest::test_corners_and_face(const Side& corner_side, const TestedTriangle& corners,
-                                            const Side& face_side, const TestedTriangle& face) {
+void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
+                                            const MeshSide& face_side, const TestedTriangle& face) {
   if (!corners.corners) return;
   const Triangle& triangle = face.shape;
   const DVec3 area = triangle.area_vector();
   const DVec3 face_normal = area / glm::length(area);
   for (int k = 0; k < 3; ++k) {
-    if (!(corners.corners & (1u << k))) continue;
+    if (!corners.has_corner(k)) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], face_normal);
     const double distance = std::abs(height);
@@ -70,25 +76,17 @@ void FeaturePairTest::test_corners_and_face(const Side& corner_side, const Teste
       margin = std::min(margin, inside + kEndSlack * length);
     }
     if (margin < 0) continue;
-    admit({face_side,
-           corner_side,
-           {FeatureKind::kFace, face.index},
-           {FeatureKind::kVertex, corner_side.mesh.triangles[corners.index][k]},
-           corner - face_normal * height,
-           corner,
-           height < 0 ? -face_normal : face_normal,
-           distance,
-           margin,
-           limits_.parallel_tolerance,
-           false});
+    admit({face_side, corner_side, face_side.face(face), corner_side.vertex(corners, k),
+           corner - face_normal * height, corner, height < 0 ? -face_normal : face_normal, distance, margin,
+           limits_.parallel_tolerance, false});
   }
 }
 
 void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b) {
   for (int i = 0; i < 3; ++i) {
-    if (!(a.sides & (1u << i))) continue;
+    if (!a.has_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(b.sides & (1u << j))) continue;
+      if (!b.has_side(j)) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
       const LinePair lines(start_a, u, start_b, v);
@@ -100,30 +98,21 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
       const double height = glm::dot(start_b - start_a, unit);
       const double distance = std::abs(height);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      admit({a_,
-             b_,
-             {FeatureKind::kEdge, a_.mesh.triangle_edges[a.index][i]},
-             {FeatureKind::kEdge, b_.mesh.triangle_edges[b.index][j]},
-             start_a + lines.s * u,
-             start_b + lines.t * v,
-             height < 0 ? -unit : unit,
-             distance,
-             end,
-             limits_.parallel_tolerance,
-             true});
+      admit({a_, b_, a_.edge(a, i), b_.edge(b, j), start_a + lines.s * u, start_b + lines.t * v,
+             height < 0 ? -unit : unit, distance, end, limits_.parallel_tolerance, true});
     }
   }
 }
 
-void FeaturePairTest::test_corners_and_edges(const Side& corner_side, const TestedTriangle& corners,
-                                             const Side& edge_side, const TestedTriangle& edges) {
+void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
+                                             const MeshSide& edge_side, const TestedTriangle& edges) {
   if (!corners.corners) return;
   for (int j = 0; j < 3; ++j) {
-    if (!(edges.sides & (1u << j))) continue;
+    if (!edges.has_side(j)) continue;
     const DVec3 along = edges.shape.along(j);
     const double length = glm::length(along);
     for (int k = 0; k < 3; ++k) {
-      if (!(corners.corners & (1u << k))) continue;
+      if (!corners.has_corner(k)) continue;
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
@@ -132,80 +121,44 @@ void FeaturePairTest::test_corners_and_edges(const Side& corner_side, const Test
       const DVec3 between = corner - foot;
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      admit({edge_side,
-             corner_side,
-             {FeatureKind::kEdge, edge_side.mesh.triangle_edges[edges.index][j]},
-             {FeatureKind::kVertex, corner_side.mesh.triangles[corners.index][k]},
-             foot,
-             corner,
-             between / distance,
-             distance,
-             end,
-             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
-             true});
+      admit({edge_side, corner_side, edge_side.edge(edges, j), corner_side.vertex(corners, k), foot, corner,
+             between / distance, distance, end,
+             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance, true});
     }
   }
 }
 
 void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b) {
   for (int i = 0; i < 3; ++i) {
-    if (!(a.corners & (1u << i))) continue;
+    if (!a.has_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!(b.corners & (1u << j))) continue;
+      if (!b.has_corner(j)) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
-      admit({a_,
-             b_,
-             {FeatureKind::kVertex, a_.mesh.triangles[a.index][i]},
-             {FeatureKind::kVertex, b_.mesh.triangles[b.index][j]},
-             a.shape.corner[i],
-             b.shape.corner[j],
-             between / distance,
-             distance,
-             limits_.cutoff,
-             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance,
-             true});
+      admit({a_, b_, a_.vertex(a, i), b_.vertex(b, j), a.shape.corner[i], b.shape.corner[j],
+             between / distance, distance, limits_.cutoff,
+             limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance, true});
     }
   }
 }
 
 // Section by section the definition of a local minimum distance: minimal on both sides, outward on both
 // sides.
-bool FeaturePairTest::admit(const Candidate& c) const {
-  const double second = violation(c.second, c.second_feature, -c.normal);
-  if (second > c.tolerance) return false;
-  const double first = c.test_first ? violation(c.first, c.first_feature, c.normal) : second;
-  if (first > c.tolerance) return false;
-  if (!outward(c.first, c.first_feature, c.normal) || !outward(c.second, c.second_feature, -c.normal))
-    return false;
+void FeaturePairTest::admit(const Candidate& c) {
+  const double second = c.second.violation(c.second_feature, -c.normal);
+  if (second > c.tolerance) return;
+  const double first = c.test_first ? c.first.violation(c.first_feature, c.normal) : second;
+  if (first > c.tolerance) return;
+  if (!c.first.outward(c.first_feature, c.normal) || !c.second.outward(c.second_feature, -c.normal)) return;
 
   const double most = std::max(first, second);
   const bool alone = most < -c.tolerance && c.margin > 4 * c.tolerance * c.distance;
-  const bool swapped = c.first.second;
+  const bool swapped = c.first.is_b;
   found_.push_back({swapped ? c.second_feature : c.first_feature,
                     swapped ? c.first_feature : c.second_feature, swapped ? c.second_point : c.first_point,
                     swapped ? c.first_point : c.second_point, swapped ? -c.normal : c.normal, c.distance,
                     most, alone});
-  return true;
-}
-
-double FeaturePairTest::violation(const Side& side, Feature feature, const DVec3& u) const {
-  const DVec3 own = side.second ? placement_.into_b(u) : u;
-  return feature.kind == FeatureKind::kVertex ? vertex_violation(side.mesh, feature.index, own)
-                                              : edge_violation(side.mesh, feature.index, own);
-}
-
-bool FeaturePairTest::outward(const Side& side, Feature feature, const DVec3& u) const {
-  if (feature.kind == FeatureKind::kFace) return true;  // the caller took its normal
-  const bool is_vertex = feature.kind == FeatureKind::kVertex;
-  const FeatureFlags flags =
-      is_vertex ? side.mesh.vertex_flags[feature.index] : side.mesh.edge_flags[feature.index];
-  if (!flags.outward) return true;
-  const DVec3 own = side.second ? placement_.into_b(u) : u;
-  const DVec3 normal =
-      is_vertex ? vertex_pseudonormal(side.mesh, feature.index) : edge_pseudonormal(side.mesh, feature.index);
-  return glm::dot(own, normal) > 0;
 }
 
 }  // namespace palpate

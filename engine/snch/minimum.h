@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "engine/math/vector.h"
 #include "engine/mesh/mesh.h"
 
@@ -17,5 +19,13 @@ struct Minimum {
   double violation;  // largest lean outside a polar cone: within the tolerance
   bool alone;  // so far inside its polar cones and its features that no other can be of the same plateau
 };
+
+// An order that does not depend on how the minima were found.
+inline bool precedes(const Minimum& one, const Minimum& other) {
+  const auto key = [](const Minimum& m) {
+    return std::tie(m.feature_a, m.feature_b, m.point_b.x, m.point_b.y, m.point_b.z);
+  };
+  return key(one) < key(other);
+}
 
 }  // namespace palpate

@@ -51,9 +51,7 @@ double PlateauGrouper::distance_to_segment(const PlanePoint& point, const PlaneP
 
 void PlateauGrouper::group(const Mesh& a, const Mesh& b, const Limits& limits, std::vector<Minimum>& minima,
                            LmdSet& found) {
-  std::sort(minima.begin(), minima.end(), [](const Minimum& one, const Minimum& other) {
-    return std::tie(one.feature_a, one.feature_b) < std::tie(other.feature_a, other.feature_b);
-  });
+  std::sort(minima.begin(), minima.end(), precedes);
   parents_.resize(minima.size());
   std::iota(parents_.begin(), parents_.end(), 0u);
   link_by_triangle_pairs(a, b, minima);

@@ -11,8 +11,10 @@ namespace {
 // Margins. A certain minimum is this far inside its polar cones and its features; one that the engine gives
 // may lean outside by its stated parallel tolerance and the rounding of its points.
 constexpr double kClearLean = -1e-8;
+constexpr double kRoundingLean = 1e-7;
 constexpr double kClearOutward = 1e-8;
-constexpr double kClearEnd = 1e-9;  // of the diagonal
+constexpr double kClearParallel = 1e-5;  // sine
+constexpr double kClearEnd = 1e-9;       // of the diagonal
 constexpr double kAllowedLean = 1.5e-6;
 constexpr double kSamePlace = 1e-9;   // of the diagonal
 constexpr double kNearTouch = 1e-12;  // of the diagonal
@@ -93,8 +95,8 @@ std::vector<Oracle::Block> Oracle::blocks_of(const std::vector<Ball>& balls) {
   return blocks;
 }
 
-Truth Oracle::search(const Pose& a_from_b, double cutoff) const {
-  Truth truth;
+template <class Visit>
+void Oracle::for_near_pairs(const Pose& a_from_b, double cutoff, const Visit& visit) const {
   std::vector<DVec3> centres_b;
   for (const Ball& ball : balls_b_) centres_b.push_back(a_from_b * ball.centre);
   for (const Block& block_b : blocks_b_) {
@@ -105,11 +107,38 @@ Truth Oracle::search(const Pose& a_from_b, double cutoff) const {
         for (TriangleIndex in_a : block_a.triangles) {
           const DVec3 between = centres_b[in_b] - balls_a_[in_a].centre;
           const double reach = balls_a_[in_a].radius + balls_b_[in_b].radius + cutoff;
-          if (glm::dot(between, between) <= reach * reach) measure(in_a, in_b, a_from_b, cutoff, truth);
+          if (glm::dot(between, between) <= reach * reach) visit(in_a, in_b);
         }
     }
   }
+}
+
+Truth Oracle::search(const Pose& a_from_b, double cutoff) const {
+  Truth truth;
+  for_near_pairs(a_from_b, cutoff, [&](TriangleIndex in_a, TriangleIndex in_b) {
+    measure(in_a, in_b, a_from_b, cutoff, truth);
+  });
   return truth;
+}
+
+std::vector<Closest> Oracle::weak_minima(const Pose& a_from_b, double cutoff) const {
+  std::vector<Closest> minima;
+  for_near_pairs(a_from_b, cutoff, [&](TriangleIndex in_a, TriangleIndex in_b) {
+    const Corners corners_a = corners_of(a_, in_a), corners_b = moved(corners_of(b_, in_b), a_from_b);
+    if (crossing(corners_a, corners_b)) return;
+    const Closest at = closest(a_, in_a, corners_a, b_, in_b, corners_b);
+    if (at.distance > 1e-9 * diagonal_ && at.distance < cutoff * (1 - 1e-9) && weak(at, a_from_b))
+      minima.push_back(at);
+  });
+  return minima;
+}
+
+bool Oracle::weak(const Closest& at, const Pose& a_from_b) const {
+  if (at.margin < kClearEnd * diagonal_) return false;
+  const DVec3 u = (at.on_b - at.on_a) / at.distance;
+  const DVec3 back = glm::transpose(a_from_b.rotation) * -u;
+  return a_.lean(at.place_a, u) <= kRoundingLean && b_.lean(at.place_b, back) <= kRoundingLean &&
+         a_.outwardness(at.place_a, u) > kClearOutward && b_.outwardness(at.place_b, back) > kClearOutward;
 }
 
 void Oracle::measure(TriangleIndex in_a, TriangleIndex in_b, const Pose& a_from_b, double cutoff,
@@ -134,6 +163,11 @@ void Oracle::measure(TriangleIndex in_a, TriangleIndex in_b, const Pose& a_from_
 bool Oracle::certain(const Closest& at, const DVec3& u, const Pose& a_from_b) const {
   if (at.margin < kClearEnd * diagonal_) return false;
   const DVec3 back = glm::transpose(a_from_b.rotation) * -u;
+  if (at.place_a.dimension == 1 &&
+      at.place_b.dimension == 1) {  // parallel edges: any point between is as good
+    const DVec3 along_b = a_from_b.rotation * b_.direction(at.place_b);
+    if (glm::length(glm::cross(a_.direction(at.place_a), along_b)) < kClearParallel) return false;
+  }
   if (at.place_a.dimension < 2 && a_.lean(at.place_a, u) > kClearLean) return false;
   if (at.place_b.dimension < 2 && b_.lean(at.place_b, back) > kClearLean) return false;
   return a_.outwardness(at.place_a, u) > kClearOutward && b_.outwardness(at.place_b, back) > kClearOutward;

@@ -25,6 +25,10 @@ class Oracle {
 
   Truth search(const Pose& a_from_b, double cutoff) const;
 
+  // One closest pair of points for every pair of triangles where it satisfies the definition with equality
+  // allowed: of a plateau there are many.
+  std::vector<Closest> weak_minima(const Pose& a_from_b, double cutoff) const;
+
   // The ways in which `found` differs from the definition; the truth may have been searched at a larger
   // cutoff.
   struct Verdict {
@@ -51,6 +55,9 @@ class Oracle {
   static std::vector<Ball> balls_of(const Surface& surface);
   static std::vector<Block> blocks_of(const std::vector<Ball>& balls);
 
+  template <class Visit>
+  void for_near_pairs(const Pose& a_from_b, double cutoff, const Visit& visit) const;
+  bool weak(const Closest& closest, const Pose& a_from_b) const;
   void measure(TriangleIndex in_a, TriangleIndex in_b, const Pose& a_from_b, double cutoff,
                Truth& truth) const;
   bool certain(const Closest& closest, const DVec3& u, const Pose& a_from_b) const;

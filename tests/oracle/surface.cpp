@@ -46,6 +46,11 @@ Place Surface::place_of(Feature feature) const {
   return {1, edge_between_.at({from, to})};
 }
 
+DVec3 Surface::direction(Place edge) const {
+  const auto [from, to] = edge_ends_[edge.index];
+  return glm::normalize(positions[to] - positions[from]);
+}
+
 std::vector<TriangleIndex> Surface::star(Place place) const {
   if (place.dimension == 2) return {place.index};
   return place.dimension == 1 ? edges_[place.index].triangles : at_vertex_[place.index];

@@ -37,6 +37,9 @@ class Surface {
   // The place that the engine names so; edges are found by their ends.
   Place place_of(Feature feature) const;
 
+  // The unit direction of an edge.
+  DVec3 direction(Place edge) const;
+
   // The triangles that hold a place.
   std::vector<TriangleIndex> star(Place place) const;
 

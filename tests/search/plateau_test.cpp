@@ -1,6 +1,7 @@
 // Parallel faces and edges: one set, few points, the same force however the plateau is tessellated.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -104,6 +105,50 @@ TEST(Plateau, SeparatePlateausAreSeparateSets) {
   EXPECT_EQ(found.set_count, 2u);
   EXPECT_EQ(found.lmds.size(), 8u);
   EXPECT_NEAR(weight_sum(found), 2.0, 1e-12);
+}
+
+// A plate over a pit that it covers: the floor's corners are at the foot of walls, where nothing is minimal,
+// yet every point of the floor is.
+TEST(Plateau, FloorOfAPitHasNoExtremePointsOfItsOwn) {
+  TriangleSoup pit = shapes::box({1, 1, 1});
+  // The upper face moves down into a rim: a frame of four walls around the floor.
+  const double rim = 0.3, floor = 0.45;
+  pit.triangles.erase(std::remove_if(pit.triangles.begin(), pit.triangles.end(),
+                                     [&](const TriangleIndices& t) {
+                                       return std::all_of(t.begin(), t.end(),
+                                                          [&](auto v) { return pit.positions[v].z > 0.4; });
+                                     }),
+                      pit.triangles.end());
+  const auto corner = [&](int k, double half, double z) {
+    const double x = k == 0 || k == 3 ? -half : half, y = k < 2 ? -half : half;
+    pit.positions.push_back({x, y, z});
+    return static_cast<std::uint32_t>(pit.positions.size() - 1);
+  };
+  std::uint32_t outer[4], inner[4], bottom[4];
+  for (int k = 0; k < 4; ++k) {
+    outer[k] = corner(k, 0.5, 0.5);
+    inner[k] = corner(k, rim, 0.5);
+    bottom[k] = corner(k, rim, floor);
+  }
+  const auto quad = [&](auto a, auto b, auto c, auto d) {
+    pit.triangles.insert(pit.triangles.end(), {{a, b, c}, {a, c, d}});
+  };
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    quad(outer[k], outer[next], inner[next], inner[k]);
+    quad(inner[k], inner[next], bottom[next], bottom[k]);
+  }
+  quad(bottom[0], bottom[1], bottom[2], bottom[3]);
+  const auto body = make_model(pit);
+  ASSERT_TRUE(body->mesh().report.final.watertight());
+  const auto plate = make_model(shapes::box({2, 2, 0.1}));
+  const LmdSet found = find_lmds(*body, *plate, shifted({0, 0, 0.5 + 0.05 + 0.01}), 0.1);
+  EXPECT_EQ(found.set_count, 2u);
+  double farthest = 0;
+  for (const Lmd& lmd : found.lmds)
+    if (std::abs(lmd.distance - 0.06) < 1e-6) farthest = std::max(farthest, lmd.point_a.x);
+  EXPECT_NEAR(farthest, rim, 1e-3);
+  EXPECT_LT(farthest, rim) << "the foot of the wall is no minimum";
 }
 
 TEST(Plateau, TiltBeyondTheToleranceEndsIt) {
