@@ -72,17 +72,6 @@ bool any_side_pierces(const Triangle& sides, const Triangle& triangle) {
   return false;
 }
 
-// The plane of `first` has all of `second` on one side of it, farther away than `gap`.
-bool plane_parts(const Triangle& first, const Triangle& second, double gap) {
-  const DVec3 area = first.area_vector();
-  const DVec3 height(glm::dot(second.corner[0] - first.corner[0], area),
-                     glm::dot(second.corner[1] - first.corner[0], area),
-                     glm::dot(second.corner[2] - first.corner[0], area));
-  const double least = gap * glm::length(area);
-  return (height.x > least && height.y > least && height.z > least) ||
-         (height.x < -least && height.y < -least && height.z < -least);
-}
-
 }  // namespace
 
 ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
@@ -94,19 +83,27 @@ ClosestPoints closest_points(const Triangle& first, const Triangle& second) {
   return best;
 }
 
+double plane_gap(const Triangle& first, const Triangle& second) {
+  const DVec3 area = first.area_vector();
+  const auto height = [&](int k) { return glm::dot(second.corner[k] - first.corner[0], area); };
+  const double low = std::min({height(0), height(1), height(2)}),
+               high = std::max({height(0), height(1), height(2)});
+  return std::max({low, -high, 0.0}) / glm::length(area);
+}
+
 bool triangles_cross(const Triangle& first, const Triangle& second) {
   return any_side_pierces(first, second) || any_side_pierces(second, first);
 }
 
 bool triangles_touch(const Triangle& first, const Triangle& second, double gap) {
-  if (plane_parts(first, second, gap) || plane_parts(second, first, gap)) return false;
+  if (plane_gap(first, second) > gap || plane_gap(second, first) > gap) return false;
   return triangles_cross(first, second) || closest_points(first, second).squared_distance <= gap * gap;
 }
 
 bool triangles_touch(const Triangle& first, const Triangle& second, const ClosestPoints& closest,
                      double gap) {
   if (closest.squared_distance <= gap * gap) return true;
-  if (plane_parts(first, second, gap) || plane_parts(second, first, gap)) return false;
+  if (plane_gap(first, second) > gap || plane_gap(second, first) > gap) return false;
   return triangles_cross(first, second);
 }
 

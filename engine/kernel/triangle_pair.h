@@ -35,6 +35,9 @@ ClosestPoints closest_points(const Triangle& first, const Triangle& second);
 // plane.
 bool triangles_cross(const Triangle& first, const Triangle& second);
 
+// How far all of `second` is on one side of the plane of `first`; 0 if the plane cuts it.
+double plane_gap(const Triangle& first, const Triangle& second);
+
 // The triangles cross or come closer than `gap`. The second form spares measuring again.
 bool triangles_touch(const Triangle& first, const Triangle& second, double gap);
 bool triangles_touch(const Triangle& first, const Triangle& second, const ClosestPoints& closest, double gap);

@@ -21,12 +21,9 @@ FeatureCertificate::FeatureCertificate(const Mesh& a, const Mesh& b, const Place
     : a_{a, placement, false}, b_{b, placement, true}, limits_(limits), rate_(rate), reach_(reach) {}
 
 Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b) const {
-  const ClosestPoints closest = closest_points(a.shape, b.shape);
-  if (triangles_touch(a.shape, b.shape, closest, limits_.touch)) return {};
-  const double distance = std::sqrt(closest.squared_distance);
-  if (distance > limits_.cutoff)
-    return Certificate::within_distance(distance - limits_.cutoff - limits_.touch);
-  Certificate all = Certificate::within_distance(distance - 2 * limits_.touch);
+  const double apart = distance_apart(a.shape, b.shape);
+  if (apart > limits_.cutoff) return Certificate::within_distance(apart - limits_.cutoff - limits_.touch);
+  Certificate all = Certificate::within_distance(apart - 2 * limits_.touch);
   all = both(all, corners_and_face(b_, b, a_, a));
   all = both(all, corners_and_face(a_, a, b_, b));
   all = both(all, faces(a, b));
@@ -38,6 +35,14 @@ Certificate FeatureCertificate::operator()(const TestedTriangle& a, const Tested
   all = both(all, corners_and_edges(b_, b, a_, a));
   all = both(all, corners_and_edges(a_, a, b_, b));
   return both(all, corners(a, b));
+}
+
+// A lower bound of the distance, at its best if it is likely to be used up soon; 0 if the triangles touch.
+double FeatureCertificate::distance_apart(const Triangle& a, const Triangle& b) const {
+  const double by_plane = std::max(plane_gap(a, b), std::min(0.5 * plane_gap(b, a), reach_));
+  if (rate_.lifetime(Certificate::within_distance(by_plane)) >= kLongLived) return by_plane;
+  const ClosestPoints closest = closest_points(a, b);
+  return triangles_touch(a, b, closest, limits_.touch) ? 0.0 : std::sqrt(closest.squared_distance);
 }
 
 Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,

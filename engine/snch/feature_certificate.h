@@ -22,6 +22,7 @@ class FeatureCertificate {
   Certificate operator()(const TestedTriangle& a, const TestedTriangle& b) const;
 
  private:
+  double distance_apart(const Triangle& a, const Triangle& b) const;
   Certificate corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
                                const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;

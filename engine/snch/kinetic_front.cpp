@@ -10,8 +10,8 @@
 namespace palpate {
 namespace {
 
-// Pairs of nodes tested a tick for the next front: a front of 10,000 entries is renewed in about 100 ticks.
-constexpr std::size_t kRebuildPairs = 128;
+// Pairs of nodes tested a tick for the next front: a front of 10,000 entries is renewed in about 300 ticks.
+constexpr std::size_t kRebuildPairs = 48;
 
 // Certificates lose this part, which covers the rounding of the odometer and of float32 expiries.
 constexpr double kKept = 0.999;

@@ -27,8 +27,8 @@ inline Certificate both(const Certificate& one, const Certificate& other) {
 
 // How fast the models move, to tell which of two certificates will hold longer.
 struct MotionRate {
-  double distance = 1.0;  // a tick
-  double angle = 1.0;
+  double distance = 1e-6;  // a tick
+  double angle = 1e-6;
 
   double lifetime(const Certificate& certificate) const {
     return std::min(certificate.distance / distance, certificate.angle / angle);
