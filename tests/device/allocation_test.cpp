@@ -1,36 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 #include "engine/device/registry.h"
 #include "engine/device/safety_limits.h"
 #include "engine/device/simulated/recorded_motion.h"
 #include "engine/device/simulated/scripted_motion.h"
 #include "engine/device/simulated/simulated_phantom.h"
-
-namespace {
-
-// Every allocation of this program.
-std::atomic<std::uint64_t> allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "tests/support/allocation_count.h"
 
 namespace palpate {
 namespace {
@@ -46,9 +25,9 @@ void run_second(Device& device, SafetyLimits& limits) {
 }
 
 TEST(DeviceAllocation, IsCounted) {
-  const std::uint64_t before = allocations;
+  const std::uint64_t before = test::allocation_count();
   EXPECT_TRUE(DeviceRegistry::standard().open("sim:touch"));
-  EXPECT_GT(allocations, before);
+  EXPECT_GT(test::allocation_count(), before);
 }
 
 TEST(DeviceAllocation, NoneInATickOnceADeviceIsOpen) {
@@ -61,9 +40,9 @@ TEST(DeviceAllocation, NoneInATickOnceADeviceIsOpen) {
   limits.arm();
   for (const std::shared_ptr<const HandMotion>& motion : {recorded.value(), {scripted}}) {
     phantom.set_motion(motion);
-    const std::uint64_t before = allocations;
+    const std::uint64_t before = test::allocation_count();
     run_second(phantom, limits);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocation_count(), before);
   }
   EXPECT_EQ(limits.report().ticks_of(Limiter::kNonFiniteWrench), 2u);
 }
