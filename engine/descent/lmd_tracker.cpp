@@ -73,7 +73,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
     return !precedes(one, other) && !precedes(other, one);
   };
   minima_.erase(std::unique(minima_.begin(), minima_.end(), same), minima_.end());
-  grouper_.group(a, b, {touch, options.parallel_tolerance}, minima_, found);
+  grouper_.group(a, b, touch, minima_, found);
   to_metres(a.frame, found);
   found.work.triangle_pairs = work_.triangle_pairs;
   seeds_.clear();

@@ -9,9 +9,9 @@
 namespace palpate {
 namespace {
 
-// Points this far beyond the end of a feature, relative to its size, still count as on it: rounding must not
-// let a minimum fall between two features.
-constexpr double kEndSlack = 1e-12;
+// Points must lie this far from the end of a feature, relative to its size, to be on it. Nearer they are on
+// the lower feature at its end, whose own polar cone decides, with a tolerance that covers this.
+constexpr double kEnd = 1e-12;
 
 // Edges that differ less than this (radians) are parallel: their minima are those of their ends.
 constexpr double kParallel = 1e-9;
@@ -73,9 +73,9 @@ void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const T
       const DVec3 along = triangle.along(side);
       const double length = glm::length(along);
       const double inside = glm::dot(glm::cross(face_normal, along), corner - triangle.start(side)) / length;
-      margin = std::min(margin, inside + kEndSlack * length);
+      margin = std::min(margin, inside - kEnd * length);
     }
-    if (margin < 0) continue;
+    if (margin <= limits_.touch) continue;
     admit({face_side, corner_side, face_side.face(face), corner_side.vertex(corners, k),
            corner - face_normal * height, corner, height < 0 ? -face_normal : face_normal, distance, margin,
            limits_.parallel_tolerance, false});
@@ -93,7 +93,7 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
       if (!lines.inclined(u, v, kParallel)) continue;
       const double end = std::min(std::min(lines.s, 1 - lines.s) * glm::length(u),
                                   std::min(lines.t, 1 - lines.t) * glm::length(v));
-      if (!(end >= -kEndSlack * (glm::length(u) + glm::length(v)))) continue;
+      if (!(end > kEnd * (glm::length(u) + glm::length(v)) + limits_.touch)) continue;
       const DVec3 unit = lines.normal / std::sqrt(lines.normal_squared);
       const double height = glm::dot(start_b - start_a, unit);
       const double distance = std::abs(height);
@@ -116,7 +116,7 @@ void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const 
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
-      if (end < -kEndSlack * length) continue;
+      if (end <= kEnd * length + limits_.touch) continue;
       const DVec3 foot = edges.shape.start(j) + along * (place / length);
       const DVec3 between = corner - foot;
       const double distance = glm::length(between);
@@ -158,7 +158,7 @@ void FeaturePairTest::admit(const Candidate& c) {
   found_.push_back({swapped ? c.second_feature : c.first_feature,
                     swapped ? c.first_feature : c.second_feature, swapped ? c.second_point : c.first_point,
                     swapped ? c.first_point : c.second_point, swapped ? -c.normal : c.normal, c.distance,
-                    most, alone});
+                    most, alone, false});
 }
 
 }  // namespace palpate

@@ -67,7 +67,7 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   build_next_front(tick);
 
   std::sort(found.overlaps.begin(), found.overlaps.end());
-  grouper_.group(a, b, {touch, options.parallel_tolerance}, minima_, found);
+  grouper_.group(a, b, touch, minima_, found);
   to_metres(a.frame, found);
 }
 

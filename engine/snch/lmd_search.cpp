@@ -109,8 +109,7 @@ void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const 
   Traversal(a, b, placement, options.cutoff / frame.scale, options, memory_->stack, memory_->minima, found)
       .run();
   std::sort(found.overlaps.begin(), found.overlaps.end());
-  memory_->grouper.group(a.mesh(), b.mesh(), {touching_distance(placement), options.parallel_tolerance},
-                         memory_->minima, found);
+  memory_->grouper.group(a.mesh(), b.mesh(), touching_distance(placement), memory_->minima, found);
   to_metres(frame, found);
 }
 

@@ -18,6 +18,7 @@ struct Minimum {
   double distance;
   double violation;  // largest lean outside a polar cone: within the tolerance
   bool alone;  // so far inside its polar cones and its features that no other can be of the same plateau
+  bool inset;  // near the corner of a plateau's cell rather than on it
 };
 
 // An order that does not depend on how the minima were found.

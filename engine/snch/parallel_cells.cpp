@@ -7,7 +7,11 @@ namespace palpate {
 namespace {
 
 // How far corners are drawn towards the middle of their cell, as a part of the way.
-constexpr double kInset = 1e-4;
+constexpr double kInset = 1e-5;
+
+// Cells narrower than this, and parts of cells this near to the border of a face (A's normalised frame), are
+// left out: it is the grid of float32 coordinates, on which faces meet by chance.
+constexpr double kBorder = 1e-7;
 
 double squared(double x) {
   return x * x;
@@ -77,7 +81,7 @@ void ParallelCells::test_edge_pairs(const TestedTriangle& a, const TestedTriangl
       const double from = glm::dot(b.shape.start(j) - a.shape.start(i), along);
       const double to = glm::dot(b.shape.end(j) - a.shape.start(i), along);
       const double low = std::max(0.0, std::min(from, to)), high = std::min(length, std::max(from, to));
-      if (!(low < high)) continue;
+      if (!(high - low > kBorder)) continue;
       const DVec3 between = b.shape.start(j) - a.shape.start(i) - along * from;
       const double distance = glm::length(between);
       if (!(distance > limits_.touch)) continue;
@@ -87,8 +91,8 @@ void ParallelCells::test_edge_pairs(const TestedTriangle& a, const TestedTriangl
       if (lean > limits_.parallel_tolerance || !a_.outward(edge_a, normal) || !b_.outward(edge_b, -normal))
         continue;
       Corners corners;
-      corners.add(a.shape.start(i) + along * low + between);
-      corners.add(a.shape.start(i) + along * high + between);
+      for (const double place : {low, high})
+        corners.add(b.shape.start(j) + v * ((place - from) / (to - from)));
       emit({a_, edge_a, edge_b, normal, lean}, corners, a.shape.start(i));
     }
   }
@@ -99,7 +103,10 @@ ParallelCells::Corners ParallelCells::clipped(Corners corners, const Triangle& t
                                               const DVec3& normal) {
   for (int side = 0; side < 3; ++side) {
     const DVec3 inward = glm::cross(normal, triangle.along(side));
-    const auto depth = [&](const DVec3& point) { return glm::dot(inward, point - triangle.start(side)); };
+    const double border = kBorder * glm::length(inward);
+    const auto depth = [&](const DVec3& point) {
+      return glm::dot(inward, point - triangle.start(side)) - border;
+    };
     Corners kept;
     for (std::size_t i = 0; i < corners.count; ++i) {
       const DVec3 &from = corners.point[i], &to = corners.point[(i + 1) % corners.count];
@@ -113,8 +120,21 @@ ParallelCells::Corners ParallelCells::clipped(Corners corners, const Triangle& t
   return corners;
 }
 
+// The length of a segment, or twice the area of a polygon over its longest side: about its width.
+double ParallelCells::width_of(const Corners& corners, const DVec3& normal) {
+  if (corners.count < 2) return 0.0;
+  double longest = 0.0, area = 0.0;
+  for (std::size_t i = 0; i < corners.count; ++i) {
+    const DVec3 from = corners.point[i] - corners.point[0],
+                to = corners.point[(i + 1) % corners.count] - corners.point[0];
+    longest = std::max(longest, glm::length(to - from));
+    area += glm::dot(glm::cross(from, to), normal);
+  }
+  return corners.count == 2 ? longest : std::abs(area) / longest;
+}
+
 void ParallelCells::emit(const Cell& cell, const Corners& corners, const DVec3& on_first) {
-  if (corners.count < 2) return;
+  if (width_of(corners, cell.normal) < kBorder) return;
   DVec3 middle(0.0);
   for (std::size_t i = 0; i < corners.count; ++i)
     middle += corners.point[i] / static_cast<double>(corners.count);
@@ -127,7 +147,7 @@ void ParallelCells::emit(const Cell& cell, const Corners& corners, const DVec3& 
     found_.push_back({swapped ? cell.second_feature : cell.first_feature,
                       swapped ? cell.first_feature : cell.second_feature, swapped ? second : first,
                       swapped ? first : second, swapped ? -cell.normal : cell.normal, distance,
-                      cell.violation, false});
+                      cell.violation, false, true});
   }
 }
 

@@ -46,6 +46,7 @@ class ParallelCells {
                            const TestedTriangle& face);
   void test_edge_pairs(const TestedTriangle& a, const TestedTriangle& b);
   static Corners clipped(Corners corners, const Triangle& triangle, const DVec3& normal);
+  static double width_of(const Corners& corners, const DVec3& normal);
   void emit(const Cell& cell, const Corners& corners, const DVec3& on_first);
 
   const MeshSide a_;

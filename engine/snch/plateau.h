@@ -17,13 +17,9 @@ namespace palpate {
 // hull's sides beside them.
 class PlateauGrouper {
  public:
-  struct Limits {
-    double touch;               // A's normalised frame
-    double parallel_tolerance;  // radians
-  };
-
-  // Replaces `found.lmds` and `found.set_count`; points are in A's normalised frame. Reorders `minima`.
-  void group(const Mesh& a, const Mesh& b, const Limits& limits, std::vector<Minimum>& minima, LmdSet& found);
+  // Replaces `found.lmds` and `found.set_count`; points and `touch`, the distance that counts as touching,
+  // are in A's normalised frame. Reorders `minima`.
+  void group(const Mesh& a, const Mesh& b, double touch, std::vector<Minimum>& minima, LmdSet& found);
 
  private:
   struct PairKey {
@@ -40,22 +36,34 @@ class PlateauGrouper {
   };
 
   static double distance_between(const PlanePoint& one, const PlanePoint& other);
+  static double turn(const PlanePoint& from, const PlanePoint& middle, const PlanePoint& to);
+  static double extent_of(const std::vector<PlanePoint>& points);
   static double distance_to_segment(const PlanePoint& point, const PlanePoint& from, const PlanePoint& to);
 
   void link_by_triangle_pairs(const Mesh& a, const Mesh& b, const std::vector<Minimum>& minima);
+  void link_hub(const Mesh& a, const Mesh& b, const std::vector<Minimum>& minima, std::uint32_t hub);
+  void unite(std::uint32_t one, std::uint32_t other);
   std::uint32_t root_of(std::uint32_t minimum);
   void sort_into_groups();
   void emit_group(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima,
-                  const Limits& limits, LmdSet& found);
-  void find_hull(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima);
+                  double touch, LmdSet& found);
+  void project(const std::uint32_t* begin, const std::uint32_t* end, const std::vector<Minimum>& minima);
+  void find_hull(double merge);
+  void wrap_points();
+  double distance_outside(const PlanePoint& point) const;
   void straighten_hull(double merge);
+  PlanePoint middle_of_rim() const;
   void thin_hull();
+  void weigh_hull(const PlanePoint& middle);
 
   std::vector<std::uint32_t> parents_;
   std::vector<PairKey> keys_;
+  std::vector<std::uint32_t> hubs_;  // minima on many pairs of triangles
   std::vector<std::uint32_t> grouped_;
   std::vector<PlanePoint> points_;
+  std::vector<PlanePoint> inset_points_;
   std::vector<PlanePoint> hull_;
+  std::vector<double> weights_;  // of the hull's corners
 };
 
 }  // namespace palpate

@@ -186,7 +186,10 @@ std::string Oracle::fault_of(const Lmd& lmd, const Pose& a_from_b, double cutoff
     return "distance is not that of the points";
   if (glm::length(lmd.point_b - lmd.point_a - lmd.normal * lmd.distance) > kSamePlace * diagonal_)
     return "normal does not point from one to the other";
-  const Place place_a = a_.place_of(lmd.feature_a), place_b = b_.place_of(lmd.feature_b);
+  // Where the points are, whatever the engine calls it.
+  const double near = 1e-11 * diagonal_;
+  const Place place_a = a_.lowest_at(a_.place_of(lmd.feature_a), lmd.point_a, near);
+  const Place place_b = b_.lowest_at(b_.place_of(lmd.feature_b), inverse(a_from_b) * lmd.point_b, near);
   const double rounding = 1e-13 * diagonal_ / lmd.distance;
   const DVec3 back = glm::transpose(a_from_b.rotation) * -lmd.normal;
   if (a_.lean(place_a, lmd.normal) > kAllowedLean + rounding)

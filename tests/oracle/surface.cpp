@@ -46,6 +46,21 @@ Place Surface::place_of(Feature feature) const {
   return {1, edge_between_.at({from, to})};
 }
 
+Place Surface::lowest_at(Place place, const DVec3& point, double near) const {
+  if (place.dimension == 0) return place;
+  const TriangleIndex triangle = star(place).front();
+  const auto& corners = triangles[triangle];
+  for (std::uint32_t corner : corners)
+    if (glm::length(positions[corner] - point) <= near) return {0, corner};
+  if (place.dimension == 1) return place;
+  for (int k = 0; k < 3; ++k) {
+    const Place side{1, edge(triangle, k)};
+    const DVec3 arm = point - positions[corners[k]];
+    if (glm::length(arm - direction(side) * glm::dot(arm, direction(side))) <= near) return side;
+  }
+  return place;
+}
+
 DVec3 Surface::direction(Place edge) const {
   const auto [from, to] = edge_ends_[edge.index];
   return glm::normalize(positions[to] - positions[from]);

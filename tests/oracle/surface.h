@@ -40,6 +40,10 @@ class Surface {
   // The unit direction of an edge.
   DVec3 direction(Place edge) const;
 
+  // The lowest place that holds a point of the named one: a vertex or an edge if the point is that near to
+  // it.
+  Place lowest_at(Place place, const DVec3& point, double near) const;
+
   // The triangles that hold a place.
   std::vector<TriangleIndex> star(Place place) const;
 

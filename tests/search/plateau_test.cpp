@@ -151,6 +151,89 @@ TEST(Plateau, FloorOfAPitHasNoExtremePointsOfItsOwn) {
   EXPECT_LT(farthest, rim) << "the foot of the wall is no minimum";
 }
 
+TriangleSoup voxels(std::initializer_list<DVec3> cells) {
+  TriangleSoup all;
+  std::vector<DVec3> taken(cells);
+  const auto filled = [&](const DVec3& cell) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const DVec3& other) { return glm::length(other - cell) < 0.5; });
+  };
+  for (const DVec3& cell : taken)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int end = 0; end < 2; ++end) {
+        DVec3 out(0.0), u(0.0), v(0.0);
+        out[axis] = end ? 1 : -1;
+        u[(axis + 1) % 3] = 1;
+        v[(axis + 2) % 3] = 1;
+        if (filled(cell + out)) continue;
+        const DVec3 corner = cell + (end ? out : DVec3(0.0));
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), {corner, corner + u, corner + u + v, corner + v});
+        const std::uint32_t second = end ? first + 1 : first + 3, fourth = end ? first + 3 : first + 1;
+        all.triangles.insert(all.triangles.end(), {{first, second, first + 2}, {first, first + 2, fourth}});
+      }
+  return all;
+}
+
+// An edge of B ends exactly over the foot of a wall of A: the wall is nearer there, so nothing is minimal.
+TEST(Plateau, FootOfAWallHoldsNoMinimum) {
+  const auto bracket = make_model(voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+  const auto box = make_model(voxels({{0, 0, 0}}));
+  const LmdSet found = find_lmds(*bracket, *box, shifted({1, 1.3, -1.3}), 0.6);
+  EXPECT_EQ(found.set_count, 1u);
+  const DVec3 force = unit_spring_force(found, 0.6);
+  EXPECT_NEAR(glm::length(force - DVec3(0, 0, -0.3)), 0.0, 1e-6);
+  EXPECT_EQ(find_lmds(*bracket, *box, shifted({1.0000001, 1.3, -1.3}), 0.6).set_count, 1u);
+
+  const LmdSet touching = find_lmds(*bracket, *box, shifted({1, 1.25, 0}), 0.6);
+  for (const Lmd& lmd : touching.lmds)
+    EXPECT_GT(lmd.point_a.y, 1.5) << "the reflex line is no place for a minimum";
+}
+
+TEST(Plateau, VertexOfTwoCubesThatShareAnEdgeHoldsNoMinimum) {
+  const auto box = make_model(voxels({{0, 0, 0}}));
+  const auto pair = make_model(voxels({{0, 1, 0}, {1, 1, 1}}));
+  const LmdSet found = find_lmds(*box, *pair, shifted({-2, 0.25, -1}), 1.1);
+  for (const Lmd& lmd : found.lmds) EXPECT_NEAR(lmd.distance, 0.25, 1e-6);
+}
+
+// The force of a plateau acts in its middle, however many corners are left out.
+TEST(Plateau, RegularPolygonsBalance) {
+  const auto plate = make_model(shapes::box({4, 4, 0.2}));
+  for (int corners : {3, 5, 6, 7, 8, 9, 12, 24, 64, 200}) {
+    const auto peg = make_model(shapes::cylinder(1.0, 0.5, corners, 2));
+    const Pose pose = turned({0, 0, 1}, 0.1, {0.01, 0.02, 0.1 + 0.25 + 0.02});
+    const LmdSet found = find_lmds(*plate, *peg, pose, 0.05);
+    ASSERT_EQ(found.set_count, 1u) << corners;
+    const DVec3 torque = unit_spring_torque(found, 0.05, pose.translation);
+    EXPECT_NEAR(glm::length(torque), 0.0, 1e-4 * 0.03) << corners << " corners";
+  }
+}
+
+// Caps cut like a cake, their hubs one over the other.
+TEST(Plateau, ManyTrianglesAroundAHubCostNoMemory) {
+  TriangleSoup cake;
+  constexpr std::uint32_t kSlices = 300;
+  for (double z : {-0.1, 0.1}) {
+    for (std::uint32_t i = 0; i < kSlices; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSlices;
+      cake.positions.push_back({std::cos(angle), std::sin(angle), z});
+    }
+    cake.positions.push_back({0, 0, z});
+  }
+  for (std::uint32_t i = 0; i < kSlices; ++i) {
+    const std::uint32_t next = (i + 1) % kSlices, up = kSlices + 1;
+    cake.triangles.insert(cake.triangles.end(), {{kSlices, next, i}, {up + kSlices, up + i, up + next}});
+    cake.triangles.insert(cake.triangles.end(), {{i, next, up + next}, {i, up + next, up + i}});
+  }
+  const auto model = make_model(cake);
+  ASSERT_TRUE(model->mesh().report.final.watertight());
+  const LmdSet found = find_lmds(*model, *model, shifted({0, 0, 0.21}), 0.05);
+  EXPECT_EQ(found.set_count, 1u);
+  EXPECT_LE(found.lmds.size(), 8u);
+  EXPECT_LE(found.work.triangle_pairs, 2u * kSlices * kSlices);
+}
+
 TEST(Plateau, TiltBeyondTheToleranceEndsIt) {
   const auto a = make_model(shapes::box({1, 1, 1}));
   const auto b = make_model(shapes::box({0.5, 0.5, 0.5}));
