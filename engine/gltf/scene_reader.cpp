@@ -40,6 +40,8 @@ std::vector<int> SceneReader::scene_roots() {
   if (wanted_scene_ >= count || wanted_scene_ < -1)
     fail(ErrorCode::kInvalidArgument, "scene ", wanted_scene_, " was asked for and there are ", count);
   if (count == 0) {
+    if (document_.model.defaultScene >= 0)
+      fail(ErrorCode::kBadFormat, "the default scene ", document_.model.defaultScene, " does not exist");
     if (document_.model.nodes.empty()) fail(ErrorCode::kNoTriangles, "it has neither a scene nor a node");
     scene_.notes.push_back("The file has no scene; all of its nodes were read.");
     return tree_.roots();

@@ -133,6 +133,9 @@ TEST(Scene, WithoutAnyAllRootsAreRead) {
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   EXPECT_EQ(scene.value().instances.size(), 3u);
   EXPECT_EQ(scene.value().notes.size(), 1u);
+  builder.json["scene"] = 0;
+  EXPECT_EQ(code_of(read(builder)), ErrorCode::kBadFormat) << "a default scene that is none of none";
+  builder.json.erase("scene");
   builder.json.erase("nodes");
   EXPECT_EQ(code_of(read(builder)), ErrorCode::kNoTriangles);
 }
