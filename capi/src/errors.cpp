@@ -34,8 +34,6 @@ plp_result result_of(ErrorCode code) noexcept {
       return PLP_ERROR_LIMIT;
     case ErrorCode::kUnsafePath:
       return PLP_ERROR_UNSAFE_PATH;
-    case ErrorCode::kCancelled:
-      return PLP_ERROR_CANCELLED;
     case ErrorCode::kInternal:
       break;
   }
@@ -85,8 +83,6 @@ const char* plp_result_string(plp_result result) {
       return "PLP_ERROR_LIMIT";
     case PLP_ERROR_UNSAFE_PATH:
       return "PLP_ERROR_UNSAFE_PATH";
-    case PLP_ERROR_CANCELLED:
-      return "PLP_ERROR_CANCELLED";
     case PLP_ERROR_INTERNAL:
       return "PLP_ERROR_INTERNAL";
   }

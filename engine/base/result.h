@@ -19,7 +19,6 @@ enum class ErrorCode {
   kNonFinite,
   kLimit,
   kUnsafePath,
-  kCancelled,
   kInternal,
 };
 

@@ -24,8 +24,11 @@ void add_query(CLI::App& app, QueryArguments& arguments) {
   command->add_option("b", arguments.b, "The model that is placed by --pose")->required();
   command->add_option("--pose", arguments.pose, "px py pz qx qy qz qw: B's frame in A's, metres")->required();
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
-      ->required();
-  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")->capture_default_str();
+      ->required()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", arguments.json, "Print JSON");
   command->callback([&] { run_query(arguments); });
 }
@@ -36,8 +39,11 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command->add_option("b", arguments.b, "The model that moves")->required();
   command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw")->required();
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
-      ->required();
-  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")->capture_default_str();
+      ->required()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--mode", arguments.mode,
                    "global: the complete set from scratch every tick; certified: the complete set kept up to "

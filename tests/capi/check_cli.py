@@ -137,7 +137,10 @@ class CommandLine(unittest.TestCase):
         self.assertIn("--global-every", self.complaint(*run, poses, "--global-every", "0"))
         self.assertIn("springs", self.complaint(*run, poses, "--law", "smooth"))
         self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", "1", "2", "--cutoff", "1"))
-        self.assertIn("cutoff", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "-1"))
+        self.assertIn("--cutoff", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "-1"))
+        self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", *"0000000", "--cutoff", "1"))
+        self.assertIn("--stiffness", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "1",
+                                                    "--stiffness", "-1"))
         self.complaint()
         self.complaint("touch")
 

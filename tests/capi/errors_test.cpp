@@ -23,7 +23,6 @@ TEST(Errors, EveryReasonHasItsCode) {
       {ErrorCode::kNonFinite, PLP_ERROR_NON_FINITE},
       {ErrorCode::kLimit, PLP_ERROR_LIMIT},
       {ErrorCode::kUnsafePath, PLP_ERROR_UNSAFE_PATH},
-      {ErrorCode::kCancelled, PLP_ERROR_CANCELLED},
       {ErrorCode::kInternal, PLP_ERROR_INTERNAL},
   };
   for (const auto& [reason, code] : codes) {

@@ -69,8 +69,7 @@ enum {
   PLP_ERROR_NON_FINITE = -9,   /**< an infinite or NaN coordinate */
   PLP_ERROR_LIMIT = -10,       /**< larger than a limit that the options or this library set */
   PLP_ERROR_UNSAFE_PATH = -11, /**< a glTF names a buffer outside its own folder */
-  PLP_ERROR_CANCELLED = -12,
-  PLP_ERROR_INTERNAL = -100 /**< a defect of this library */
+  PLP_ERROR_INTERNAL = -100    /**< a defect of this library */
 };
 
 /** @brief The version of the library that is loaded, as major * 1000000 + minor * 1000 + patch.

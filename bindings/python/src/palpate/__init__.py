@@ -10,7 +10,7 @@ Units are metres, seconds, newtons and newton-metres; frames are right-handed; q
 """
 
 from . import _raw
-from ._errors import (BadFormat, Cancelled, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
+from ._errors import (BadFormat, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
                       LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported)
 from ._records import Records
 from .contacts import Contacts, Feature, Work, Wrench
@@ -28,7 +28,7 @@ def version() -> str:
 
 
 __all__ = [
-    "BadFormat", "Body", "Cancelled", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError",
+    "BadFormat", "Body", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError",
     "InvalidArgument", "InvalidHandle", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
     "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "Space",
     "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "query", "set_log_callback", "version",

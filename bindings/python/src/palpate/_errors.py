@@ -69,10 +69,6 @@ class UnsafePath(PalpateError):
     code = _raw.PLP_ERROR_UNSAFE_PATH
 
 
-class Cancelled(PalpateError):
-    code = _raw.PLP_ERROR_CANCELLED
-
-
 class InternalError(PalpateError):
     """A defect of the library."""
 
@@ -80,7 +76,7 @@ class InternalError(PalpateError):
 EXCEPTIONS: dict[int, type[PalpateError]] = {
     exception.code: exception
     for exception in (InvalidArgument, InvalidHandle, OutOfMemory, FileNotFound, FileReadError, BadFormat, Unsupported,
-                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, Cancelled, InternalError)
+                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, InternalError)
 }
 
 
