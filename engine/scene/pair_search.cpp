@@ -1,5 +1,7 @@
 #include "engine/scene/pair_search.h"
 
+#include <algorithm>
+
 #include "engine/base/clock.h"
 
 namespace palpate {
@@ -23,6 +25,7 @@ void PairSearch::forget() {
   tracker_.forget();
   odometer_.reset();
   age_.reset();
+  complete_.clear();
 }
 
 void PairSearch::update(const Model& body, const Model& tool, const PairSituation& situation,
@@ -66,6 +69,8 @@ void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOp
   work_.front_expired = front_.work().expired;
 }
 
+// Descent meets overlaps only where an LMD ends in one, so that it
+// asks for a search, whose overlaps stand until the next one.
 // The search looks farther than the cutoff by the way that the models can go until the next one, so that an
 // LMD is followed before its force begins.
 void PairSearch::descend(const Model& body, const Model& tool, const SearchOptions& options,
@@ -83,6 +88,11 @@ void PairSearch::descend(const Model& body, const Model& tool, const SearchOptio
   }
   tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, wide, options.cutoff, found_);
   work_.age = *age_;
+  if (found_.overlapping()) age_ = situation_.global_every;
+  for (const TrianglePair& pair : complete_.overlaps)
+    if (std::find(found_.overlaps.begin(), found_.overlaps.end(), pair) == found_.overlaps.end())
+      found_.add_overlap(pair, options.max_overlaps);
+  found_.overlaps_cut |= complete_.overlaps_cut;
   work_.descents = tracker_.work().descents;
   work_.descent_steps = tracker_.work().steps;
 }

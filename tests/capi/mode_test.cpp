@@ -87,6 +87,19 @@ TEST_F(ModeTest, DescentFindsNothingThatIsNotThere) {
   EXPECT_GT(found, wanted * 3 / 4);
 }
 
+TEST_F(ModeTest, DescentGoesOnReportingAnOverlap) {
+  Stage descent(*this, PLP_MODE_DESCENT);
+  bool overlapped = false;
+  for (int step = 0; step < 60; ++step) {  // from outside the ring into its tube, sideways
+    const plp_contacts contacts = descent.step_to({{1.7 - 0.01 * step, 0.02, 0.03}, {0.1, 0.0, 0.05, 1.0}});
+    if (contacts.overlap) overlapped = true;
+    if (overlapped) {
+      EXPECT_EQ(contacts.overlap, 1) << "step " << step;
+    }
+  }
+  EXPECT_TRUE(overlapped);
+}
+
 TEST_F(ModeTest, CanBeSwitchedBetweenSteps) {
   Stage global(*this, PLP_MODE_GLOBAL), switched(*this, PLP_MODE_GLOBAL);
   const plp_mode modes[] = {PLP_MODE_CERTIFIED, PLP_MODE_DESCENT, PLP_MODE_GLOBAL};
