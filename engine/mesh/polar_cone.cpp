@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/mesh/area.h"
+
 namespace palpate {
 namespace {
 
@@ -134,14 +136,8 @@ Lean lean_at(const Mesh& mesh, Feature feature, const DVec3& u) {
   return most;
 }
 
-DVec3 area_vector(const Mesh& mesh, std::uint32_t triangle) {
-  const TriangleIndices& corners = mesh.triangles[triangle];
-  const DVec3 origin = mesh.position(corners[0]);
-  return glm::cross(mesh.position(corners[1]) - origin, mesh.position(corners[2]) - origin);
-}
-
 DVec3 unit_normal(const Mesh& mesh, std::uint32_t triangle) {
-  return glm::normalize(area_vector(mesh, triangle));
+  return glm::normalize(area_vector(mesh.positions, mesh.triangles[triangle]));
 }
 
 DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex) {

@@ -30,9 +30,6 @@ Lean lean_at(const Mesh& mesh, Feature feature, const DVec3& u);
 DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex);
 DVec3 edge_pseudonormal(const Mesh& mesh, std::uint32_t edge);
 
-// Twice the area of a triangle along its unit normal.
-DVec3 area_vector(const Mesh& mesh, std::uint32_t triangle);
-
 // The unit normal of a triangle.
 DVec3 unit_normal(const Mesh& mesh, std::uint32_t triangle);
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/kernel/line_pair.h"
 #include "engine/kernel/triangle_pair.h"
-#include "engine/mesh/polar_cone.h"
 
 namespace palpate {
 namespace {

@@ -28,9 +28,8 @@ float rounded_down(double x) {
 
 struct KineticFront::Tick {
   const Placement& placement;
-  double reach;
+  double reach;  // A's normalised frame, as the next
   double touch;
-  double cutoff;  // A's normalised frame, as all here
   NodePairTest node_test;
   FeaturePairTest feature_test;
   FeaturePairTest ignored_test;
@@ -57,7 +56,6 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   Tick tick{placement,
             reach,
             touch,
-            cutoff,
             NodePairTest(placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
             FeaturePairTest(a, b, placement, limits, ignored_),
