@@ -10,10 +10,10 @@ namespace palpate {
 // Items in groups that are numbered from 0, stored end to end.
 template <class Item>
 struct Groups {
-  std::vector<std::uint32_t> begin;  // one more than there are groups
+  std::vector<std::uint32_t> begin;  // one more than there are groups; or empty
   std::vector<Item> items;
 
-  std::size_t size() const { return begin.size() - 1; }
+  std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
   std::span<Item> operator[](std::size_t group) {
     return {items.data() + begin[group], items.data() + begin[group + 1]};
   }
@@ -35,5 +35,7 @@ Groups<Item> group_items(std::size_t group_count, const Visit& visit) {
   visit([&](std::uint32_t group, const Item& item) { groups.items[next[group]++] = item; });
   return groups;
 }
+
+using IndexLists = Groups<std::uint32_t>;
 
 }  // namespace palpate

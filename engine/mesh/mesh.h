@@ -5,20 +5,10 @@
 #include <vector>
 
 #include "engine/mesh/clean_triangles.h"
+#include "engine/mesh/groups.h"
 #include "engine/mesh/mesh_report.h"
 
 namespace palpate {
-
-// Lists of different lengths, stored end to end.
-struct IndexLists {
-  std::vector<std::uint32_t> begin;  // size() + 1 entries
-  std::vector<std::uint32_t> items;
-
-  std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
-  std::span<const std::uint32_t> operator[](std::size_t i) const {
-    return {items.data() + begin[i], items.data() + begin[i + 1]};
-  }
-};
 
 struct Edge {
   std::uint32_t vertex[2];
