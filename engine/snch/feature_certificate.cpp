@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/kernel/line_pair.h"
 #include "engine/kernel/triangle_pair.h"
 
 namespace palpate {
@@ -10,6 +11,10 @@ namespace {
 
 // A certificate that holds for so many ticks need not be bettered.
 constexpr double kLongLived = 16.0;
+
+// Vectors a and b with |a − b| ≤ |a| / 2 differ in direction by no more than this times |a − b| / |a|:
+// 2 |a − b| / (|a| + |b|) bounds the chord.
+constexpr double kTurn = 4.0 / 3.0 + 1e-9;
 
 }  // namespace
 
@@ -37,7 +42,7 @@ Certificate FeatureCertificate::operator()(const TestedTriangle& a, const Tested
 
 // A lower bound of the distance, at its best if it is likely to be used up soon; 0 if the triangles touch.
 double FeatureCertificate::distance_apart(const Triangle& a, const Triangle& b) const {
-  const double by_plane = std::max(plane_gap(a, b), std::min(0.5 * plane_gap(b, a), reach_));
+  const double by_plane = std::max(plane_gap(a, b), certified_from_b(plane_gap(b, a), reach_));
   if (rate_.lifetime(Certificate::within_distance(by_plane)) >= kLongLived) return by_plane;
   const ClosestPoints closest = closest_points(a, b);
   return triangles_touch(a, b, closest, limits_.touch) ? 0.0 : std::sqrt(closest.squared_distance);
@@ -124,26 +129,52 @@ Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTrian
       const double lengths = glm::length(u) + glm::length(v);
       const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived)
-        one = longer(one, edge_pair(a_.edge(a, i), u, b_.edge(b, j), v), rate_);
+      if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j), rate_);
       all = both(all, one);
     }
   }
   return all;
 }
 
-// The common normal of unit vectors that turn by an angle turns by no more than twice that over the sine
-// between them.
-Certificate FeatureCertificate::edge_pair(const Feature& edge_a, const DVec3& u, const Feature& edge_b,
-                                          const DVec3& v) const {
-  const DVec3 common = glm::cross(u / glm::length(u), v / glm::length(v));
-  const double sine = glm::length(common);
+// Three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
+// cross beyond an end of an edge; along it, they are farther apart than the cutoff.
+Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b,
+                                          int j) const {
+  const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
+  const double length_a = glm::length(a.shape.along(i)), length_b = glm::length(b.shape.along(j));
+  const DVec3 u = a.shape.along(i) / length_a, v = b.shape.along(j) / length_b;
+  const LinePair lines(start_a, u, start_b, v);
+  const double sine = std::sqrt(lines.normal_squared);
   if (!(sine > 1e-6)) return {};
-  const DVec3 normal = common / sine;
+  const DVec3 normal = lines.normal / sine;
+  const Certificate leaning = common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine);
+  // As they become parallel, the lines cross anywhere.
+  if (rate_.lifetime(leaning) >= kLongLived || sine < 4 * limits_.parallel_tolerance) return leaning;
+  const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
+  const double beyond = std::max(std::abs(lines.s - place_a), std::abs(lines.t - place_b));
+  const double height = std::abs(glm::dot(start_b - start_a, normal));
+  const double slack = std::max(beyond * sine, height - limits_.cutoff) - 2 * limits_.touch;
+  const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
+  return longer(leaning, across_normal(slack, arm, sine), rate_);
+}
+
+// The common normal of two lines that turn by an angle of at most half the sine between them turns by no more
+// than kTurn times that over the sine.
+Certificate FeatureCertificate::common_normal_leaning(const Feature& edge_a, const Feature& edge_b,
+                                                      const DVec3& normal, double sine) const {
   const double forward = std::max(a_.violation(edge_a, normal), b_.violation(edge_b, -normal));
   const double backward = std::max(a_.violation(edge_a, -normal), b_.violation(edge_b, normal));
   const double lean = std::min(forward, backward) - limits_.parallel_tolerance;
-  return Certificate::within_angle(lean / (1.0 + 2.0 / sine));
+  return Certificate::within_angle(sine * std::min(lean / kTurn, 0.5));
+}
+
+// A distance between two points that is measured along, or at right angles to, the common normal: it changes
+// by their motion, and by the turn of the direction at the end of an arm that grows meanwhile.
+Certificate FeatureCertificate::across_normal(double slack, double arm, double sine) const {
+  if (!(slack > 0)) return {};
+  const double by_turn = (arm + slack) * (1.0 + kTurn / sine);
+  const double share = rate_.distance / (rate_.distance + rate_.angle * by_turn);
+  return {share * slack, std::min((1.0 - share) * slack / by_turn, 0.5 * sine)};
 }
 
 Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
@@ -197,15 +228,19 @@ Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTri
 }
 
 Certificate FeatureCertificate::seen_from(const MeshSide& side, double slack) const {
-  return Certificate::within_distance(side.is_b ? std::min(0.5 * slack, reach_) : slack);
+  return Certificate::within_distance(side.is_b ? certified_from_b(slack, reach_) : slack);
 }
 
-// A direction between points at `distance` turns by no more than twice their motion over it, and a polar cone
-// with its model: half of the lean for each.
+// A direction between points at `distance` turns by no more than kTurn times their motion over it, while that
+// is at most half of it; a polar cone turns with its model. Both have a share of the lean, so that they are
+// used up together.
 Certificate FeatureCertificate::leaning(const MeshSide& side, double lean, double distance) const {
   const double left = lean - limits_.parallel_tolerance - limits_.touch / distance;
-  Certificate certificate = seen_from(side, 0.25 * left * distance);
-  certificate.angle = std::max(0.0, 0.5 * left);
+  if (!(left > 0)) return {};
+  const double by_motion = kTurn / distance;
+  const double share = rate_.distance * by_motion / (rate_.distance * by_motion + rate_.angle);
+  Certificate certificate = seen_from(side, std::min(share * left / by_motion, 0.5 * distance));
+  certificate.angle = (1.0 - share) * left;
   return certificate;
 }
 

@@ -13,8 +13,7 @@ namespace palpate {
 // rotation alone; for the others with both.
 class FeatureCertificate {
  public:
-  // A fact that is seen from B is certified for half its slack and at most `reach`, as NodePairTest::certify
-  // has it.
+  // `reach` is that of the odometer.
   FeatureCertificate(const Mesh& a, const Mesh& b, const Placement& placement,
                      const FeaturePairTest::Limits& limits, const MotionRate& rate, double reach);
 
@@ -26,7 +25,10 @@ class FeatureCertificate {
   Certificate corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
                                const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;
-  Certificate edge_pair(const Feature& edge_a, const DVec3& u, const Feature& edge_b, const DVec3& v) const;
+  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j) const;
+  Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
+                                    double sine) const;
+  Certificate across_normal(double slack, double arm, double sine) const;
   Certificate corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
                                 const MeshSide& edge_side, const TestedTriangle& edges) const;
   Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;

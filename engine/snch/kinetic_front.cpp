@@ -1,6 +1,7 @@
 #include "engine/snch/kinetic_front.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/kernel/triangle_pair.h"
@@ -30,9 +31,8 @@ struct KineticFront::Tick {
   const Placement& placement;
   double reach;  // A's normalised frame, as the next
   double touch;
-  NodePairTest node_test;
+  NodeBatch node_batch;
   FeaturePairTest feature_test;
-  FeaturePairTest ignored_test;
   FeatureCertificate feature_certificate;
   LmdSet& found;
 };
@@ -45,7 +45,6 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   found.clear();
   work_ = {};
   minima_.clear();
-  ignored_.clear();
   const bool going_on = goes_on(model_a, model_b, options);
   a_ = &model_a;
   b_ = &model_b;
@@ -56,9 +55,8 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   Tick tick{placement,
             reach,
             touch,
-            NodePairTest(placement, cutoff),
+            NodeBatch(model_a.tree(), model_b.tree(), placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
-            FeaturePairTest(a, b, placement, limits, ignored_),
             FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
             found};
   scan(tick);
@@ -98,22 +96,29 @@ void KineticFront::scan(Tick& tick) {
   }
   front_.resize(kept);
   work_.expired = open_.size();
-  while (!open_.empty()) {
-    const NodePair pair = open_.back();
-    open_.pop_back();
-    settle(tick, pair, front_, open_, true);
-  }
+  while (!open_.empty()) settle_last(tick, NodeBatch::kMost, front_, open_, true);
+}
+
+// Tests the last open pairs, at most `most`, together.
+void KineticFront::settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front,
+                               std::vector<NodePair>& open, bool collect) {
+  std::array<NodePair, NodeBatch::kMost> pairs;
+  const std::size_t count = std::min({most, open.size(), pairs.size()});
+  std::copy(open.end() - static_cast<std::ptrdiff_t>(count), open.end(), pairs.begin());
+  open.resize(open.size() - count);
+  NodeBatch::Certificates certificates;
+  tick.node_batch.certify({pairs.data(), count}, odometer_->rate(), tick.reach, certificates);
+  for (std::size_t i = 0; i < count; ++i) settle(tick, pairs[i], certificates.of(i), front, open, collect);
 }
 
 // Puts a pair on the front if it can be pruned or holds two triangles; otherwise opens its children.
-void KineticFront::settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
-                          bool collect) {
+void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
+                          std::vector<NodePair>& open, bool collect) {
   ++tick.found.work.node_pairs;
   const Tree &tree_a = a_->tree(), &tree_b = b_->tree();
   const Node &a = tree_a.node(pair.a), &b = tree_b.node(pair.b);
-  Certificate certificate = tick.node_test.certify(a, b, odometer_->rate(), tick.reach);
   if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
-    if (tick.node_test.opens_first(a, b)) {
+    if (tick.node_batch.opens_first(a, b)) {
       open.push_back({a.second_child(), pair.b});
       open.push_back({pair.a + 1, pair.b});
     } else {
@@ -126,24 +131,25 @@ void KineticFront::settle(Tick& tick, NodePair pair, std::vector<Entry>& front, 
   front.push_back(entry_of(pair, certificate));
 }
 
+// A certificate proves that there is nothing now, either; without one the pair is looked at.
 Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect) {
   ++tick.found.work.triangle_pairs;
   const TestedTriangle tested_a = owned_triangle(a_->tree(), a_->mesh(), a);
   const TestedTriangle tested_b = owned_triangle(b_->tree(), b_->mesh(), b, tick.placement);
-  if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch) && collect)
+  const Certificate certificate = tick.feature_certificate(tested_a, tested_b);
+  if (certificate.holds() || !collect) return certificate;
+  if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch))
     tick.found.add_overlap({a, b}, options_.max_overlaps);
-  std::vector<Minimum>& minima = collect ? minima_ : ignored_;
-  const std::size_t before = minima.size();
-  (collect ? tick.feature_test : tick.ignored_test)(tested_a, tested_b);
-  return minima.size() > before ? Certificate{} : tick.feature_certificate(tested_a, tested_b);
+  tick.feature_test(tested_a, tested_b);
+  return {};
 }
 
 void KineticFront::build_next_front(Tick& tick) {
-  for (std::size_t count = 0; count < kRebuildPairs && !next_open_.empty(); ++count) {
-    const NodePair pair = next_open_.back();
-    next_open_.pop_back();
-    settle(tick, pair, next_front_, next_open_, false);
-    ++work_.rebuilt;
+  for (std::size_t left = kRebuildPairs; left > 0 && !next_open_.empty();) {
+    const std::size_t count = std::min({left, next_open_.size(), NodeBatch::kMost});
+    settle_last(tick, count, next_front_, next_open_, false);
+    left -= count;
+    work_.rebuilt += count;
   }
   if (!next_open_.empty()) return;
   front_.swap(next_front_);

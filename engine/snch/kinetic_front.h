@@ -8,7 +8,7 @@
 #include "engine/snch/lmd.h"
 #include "engine/snch/lmd_search.h"
 #include "engine/snch/model.h"
-#include "engine/snch/node_pair.h"
+#include "engine/snch/node_batch.h"
 #include "engine/snch/odometer.h"
 #include "engine/snch/plateau.h"
 
@@ -50,17 +50,15 @@ class KineticFront {
     float until_distance;  // the odometer's readings up to which the certificate holds
     float until_angle;
   };
-  struct NodePair {
-    std::uint32_t a;
-    std::uint32_t b;
-  };
   struct Tick;
 
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);
-  void settle(Tick& tick, NodePair pair, std::vector<Entry>& front, std::vector<NodePair>& open,
-              bool collect);
+  void settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front, std::vector<NodePair>& open,
+                   bool collect);
+  void settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
+              std::vector<NodePair>& open, bool collect);
   Certificate test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect);
   void build_next_front(Tick& tick);
   void rebase();
@@ -75,7 +73,6 @@ class KineticFront {
   std::vector<NodePair> next_open_;  // pairs that the next front has still to test
   std::vector<NodePair> open_;
   std::vector<Minimum> minima_;
-  std::vector<Minimum> ignored_;  // minima met while the next front is built
   PlateauGrouper grouper_;
   FrontWork work_;
 };

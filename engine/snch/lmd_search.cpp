@@ -1,20 +1,20 @@
 #include "engine/snch/lmd_search.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_pairs.h"
-#include "engine/snch/node_pair.h"
+#include "engine/snch/node_batch.h"
 #include "engine/snch/owned_triangle.h"
 #include "engine/snch/plateau.h"
 
 namespace palpate {
 namespace {
 
-// Pairs of nodes still to be visited, and for what.
-struct NodePair {
-  std::uint32_t a;
-  std::uint32_t b;
+// A pair of nodes still to be visited, and for what.
+struct OpenPair {
+  NodePair nodes;
   bool minimum;
   bool contact;
 };
@@ -23,7 +23,7 @@ struct NodePair {
 class Traversal {
  public:
   Traversal(const Model& a, const Model& b, const Placement& placement, double cutoff,
-            const SearchOptions& options, std::vector<NodePair>& stack, std::vector<Minimum>& minima,
+            const SearchOptions& options, std::vector<OpenPair>& stack, std::vector<Minimum>& minima,
             LmdSet& found)
       : a_(a.tree()),
         b_(b.tree()),
@@ -32,40 +32,48 @@ class Traversal {
         placement_(placement),
         touch_(touching_distance(placement)),
         max_overlaps_(options.max_overlaps),
-        node_test_(placement, cutoff),
+        batch_(a.tree(), b.tree(), placement, cutoff),
         feature_test_(a.mesh(), b.mesh(), placement, {cutoff, touch_, options.parallel_tolerance}, minima),
         stack_(stack),
         found_(found) {}
 
   void run() {
-    stack_.assign(1, {0, 0, true, true});
-    while (!stack_.empty()) {
-      const NodePair pair = stack_.back();
-      stack_.pop_back();
-      visit(pair);
-    }
+    stack_.assign(1, {{0, 0}, true, true});
+    while (!stack_.empty()) visit_last();
   }
 
  private:
-  void visit(NodePair pair) {
+  // Visits as many of the last pairs as are judged together.
+  void visit_last() {
+    std::array<OpenPair, NodeBatch::kMost> open;
+    std::array<NodePair, NodeBatch::kMost> nodes;
+    const std::size_t count = std::min(stack_.size(), open.size());
+    std::copy(stack_.end() - static_cast<std::ptrdiff_t>(count), stack_.end(), open.begin());
+    stack_.resize(stack_.size() - count);
+    for (std::size_t i = 0; i < count; ++i) nodes[i] = open[i].nodes;
+    NodeBatch::Verdicts verdicts;
+    batch_.judge({nodes.data(), count}, verdicts);
+    for (std::size_t i = 0; i < count; ++i) visit(open[i], verdicts[i]);
+  }
+
+  void visit(OpenPair pair, NodeBatch::Verdict verdict) {
     ++found_.work.node_pairs;
-    const Node& a = a_.node(pair.a);
-    const Node& b = b_.node(pair.b);
-    const NodePairTest::Verdict verdict = node_test_(a, b);
     pair.minimum &= verdict.minimum;
     pair.contact &= verdict.contact && !found_.overlaps_cut;
     if (!pair.minimum && !pair.contact) return;
+    const auto [index_a, index_b] = pair.nodes;
+    const Node &a = a_.node(index_a), &b = b_.node(index_b);
     if (a.is_leaf() && b.is_leaf()) return test_triangles(a.triangle(), b.triangle(), pair);
-    if (node_test_.opens_first(a, b)) {
-      stack_.push_back({a.second_child(), pair.b, pair.minimum, pair.contact});
-      stack_.push_back({pair.a + 1, pair.b, pair.minimum, pair.contact});
+    if (batch_.opens_first(a, b)) {
+      stack_.push_back({{a.second_child(), index_b}, pair.minimum, pair.contact});
+      stack_.push_back({{index_a + 1, index_b}, pair.minimum, pair.contact});
     } else {
-      stack_.push_back({pair.a, b.second_child(), pair.minimum, pair.contact});
-      stack_.push_back({pair.a, pair.b + 1, pair.minimum, pair.contact});
+      stack_.push_back({{index_a, b.second_child()}, pair.minimum, pair.contact});
+      stack_.push_back({{index_a, index_b + 1}, pair.minimum, pair.contact});
     }
   }
 
-  void test_triangles(std::uint32_t a, std::uint32_t b, const NodePair& pair) {
+  void test_triangles(std::uint32_t a, std::uint32_t b, const OpenPair& pair) {
     ++found_.work.triangle_pairs;
     const TestedTriangle tested_a = owned_triangle(a_, a_mesh_, a),
                          tested_b = owned_triangle(b_, b_mesh_, b, placement_);
@@ -81,16 +89,16 @@ class Traversal {
   const Placement& placement_;
   const double touch_;
   const std::size_t max_overlaps_;
-  const NodePairTest node_test_;
+  NodeBatch batch_;
   FeaturePairTest feature_test_;
-  std::vector<NodePair>& stack_;
+  std::vector<OpenPair>& stack_;
   LmdSet& found_;
 };
 
 }  // namespace
 
 struct LmdSearch::Memory {
-  std::vector<NodePair> stack;
+  std::vector<OpenPair> stack;
   std::vector<Minimum> minima;
   PlateauGrouper grouper;
 };

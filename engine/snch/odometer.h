@@ -40,6 +40,13 @@ inline Certificate longer(const Certificate& one, const Certificate& other, cons
   return rate.lifetime(one) >= rate.lifetime(other) ? one : other;
 }
 
+// What a slack is certified for that is measured in B's frame, where a point of A moves by no more than
+// S (1 + S / reach) while the odometer moves by S: it may turn about B's centre on an arm that grows
+// meanwhile. `reach` is the odometer's.
+inline double certified_from_b(double slack, double reach) {
+  return slack > 0 ? slack / (1.0 + slack / reach) : slack;
+}
+
 // Measures how far model B has moved seen from A, so that no point of B has moved farther. Based on the arc
 // lengths of the centre's path and of the turn.
 class Odometer {

@@ -2,7 +2,7 @@
 
 palpate_build_packages=(
   g++ cmake ninja-build
-  libtinygltf-dev libglm-dev libembree-dev libdraco-dev libmeshoptimizer-dev
+  libtinygltf-dev libglm-dev libembree-dev libhwy-dev libdraco-dev libmeshoptimizer-dev
   libcli11-dev nlohmann-json3-dev
 )
 palpate_test_packages=(

@@ -1,0 +1,402 @@
+#include "engine/snch/node_batch.h"
+
+// Compiled once for every instruction set that the processor may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/snch/node_batch.cpp"
+#include <hwy/foreach_target.h>
+// Behind foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace palpate {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::CappedTag<float, NodeBatch::kMost>;
+using Float = hn::Vec<Lanes>;
+using Mask = hn::Mask<Lanes>;
+
+// Bound on the rounding of a float32 sum of lengths, relative to their size.
+constexpr float kRounding = 4e-6f;
+constexpr float kForever = 1e30f;
+
+Float constant(float x) {
+  return hn::Set(Lanes(), x);
+}
+
+Float squared(Float x) {
+  return hn::Mul(x, x);
+}
+
+Float positive(Float x) {
+  return hn::Max(x, hn::Zero(Lanes()));
+}
+
+struct Float3 {
+  Float x, y, z;
+};
+
+Float dot(const Float3& a, const Float3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+Float length(const Float3& a) {
+  return hn::Sqrt(dot(a, a));
+}
+
+Float3 operator*(const Float3& a, Float factor) {
+  return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
+}
+
+Float3 operator+(const Float3& a, const Float3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+Float3 cross(const Float3& a, const Float3& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+Float3 negative(const Float3& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
+
+// Matrices come by column.
+Float3 times(const float (&m)[3][3], const Float3& v) {
+  const auto row = [&](int k) {
+    return hn::Add(hn::Add(hn::Mul(constant(m[0][k]), v.x), hn::Mul(constant(m[1][k]), v.y)),
+                   hn::Mul(constant(m[2][k]), v.z));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+Float3 transposed_times(const float (&m)[3][3], const Float3& v) {
+  const auto row = [&](int k) {
+    return hn::Add(hn::Add(hn::Mul(constant(m[k][0]), v.x), hn::Mul(constant(m[k][1]), v.y)),
+                   hn::Mul(constant(m[k][2]), v.z));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+Float3 select(Mask mask, const Float3& yes, const Float3& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+// A cone of unit directions; the cosine is negative where it is whole.
+struct WideCone {
+  Float3 axis;
+  Float cosine;
+  Float sine;
+};
+
+// One lane a node: reads the nodes of as many rows as there are lanes.
+class WideNodes {
+ public:
+  explicit WideNodes(const Node* rows)
+      : floats_(reinterpret_cast<const float*>(rows)),
+        offsets_(hn::Mul(hn::Iota(Ints(), 0), hn::Set(Ints(), kFloats))) {}
+
+  Float3 centre() const { return three(0); }
+  Float radius() const { return field(3); }
+  Float3 half() const { return three(4); }
+  WideCone cone() const { return {three(8), field(7), field(11)}; }
+
+  // How far the cone's directions reach along +axis and −axis, at most.
+  Float sweep_high(int axis) const { return byte(axis); }
+  Float sweep_low(int axis) const { return byte(3 + axis); }
+
+ private:
+  using Ints = hn::RebindToSigned<Lanes>;
+
+  Float field(int index) const { return hn::GatherIndex(Lanes(), floats_ + index, offsets_); }
+  Float3 three(int index) const { return {field(index), field(index + 1), field(index + 2)}; }
+
+  Float byte(int index) const {
+    const auto* words = reinterpret_cast<const std::int32_t*>(floats_) + kSweeps + index / 4;
+    const auto word = hn::GatherIndex(Ints(), words, offsets_);
+    const auto low = hn::And(hn::ShiftRightSame(word, 8 * (index % 4)), hn::Set(Ints(), 255));
+    return hn::Mul(hn::ConvertTo(Lanes(), low), constant(1.0f / 255.0f));
+  }
+
+  static constexpr int kFloats = sizeof(Node) / sizeof(float);
+  static constexpr int kSweeps = offsetof(Node, sweep_high) / sizeof(float);
+  static_assert(offsetof(Node, radius) == 12 && offsetof(Node, half) == 16 &&
+                offsetof(Node, cone_cosine) == 28 && offsetof(Node, cone_axis) == 32 &&
+                offsetof(Node, cone_sine) == 44 && offsetof(Node, sweep_high) == 48 &&
+                offsetof(Node, sweep_low) == 51);
+
+  const float* floats_;
+  hn::Vec<Ints> offsets_;
+};
+
+// Squared distance from `d` to the segments from the origin of length `cutoff` along all directions of the
+// cone.
+Float squared_distance_to_sector(const Float3& d, Float d_squared, const WideCone& cone, Float cutoff) {
+  const Float along = dot(d, cone.axis);
+  const Float across = hn::Sqrt(positive(hn::Sub(d_squared, squared(along))));
+  const Mask inside = hn::Or(hn::Lt(cone.cosine, hn::Zero(Lanes())),
+                             hn::Ge(hn::Mul(along, cone.sine), hn::Mul(across, cone.cosine)));
+  const Float beyond = positive(hn::Sub(hn::Sqrt(d_squared), cutoff));
+  const Float foot = hn::Add(hn::Mul(along, cone.cosine), hn::Mul(across, cone.sine));
+  const Float reach = hn::Min(positive(foot), cutoff);
+  const Float outside = hn::Add(squared(hn::Sub(along, hn::Mul(reach, cone.cosine))),
+                                squared(hn::Sub(across, hn::Mul(reach, cone.sine))));
+  return hn::IfThenElse(inside, squared(beyond), outside);
+}
+
+// Directions that two cones have in common lie in one; `empty` where there are none.
+struct Lens {
+  WideCone cone;
+  Mask empty;
+};
+
+// The chord through the two points where the cones' rims meet is foot + height; a rim's centre beyond the
+// foot has its smaller cone wholly within the other.
+Lens lens_of(const WideCone& one, const WideCone& other) {
+  const Float zero = hn::Zero(Lanes()), unit = constant(1.0f);
+  const Mask whole = hn::Lt(one.cosine, zero), other_whole = hn::Lt(other.cosine, zero);
+  const Mask neither = hn::Not(hn::Or(whole, other_whole));
+  const Float between = dot(one.axis, other.axis);
+  const Float sum_cosine = hn::Sub(hn::Mul(one.cosine, other.cosine), hn::Mul(one.sine, other.sine));
+  const Mask empty = hn::And(neither, hn::Lt(between, hn::Sub(sum_cosine, constant(kRounding))));
+
+  const Mask takes_one = hn::Or(other_whole, hn::AndNot(whole, hn::Gt(one.cosine, other.cosine)));
+  const WideCone smaller{select(takes_one, one.axis, other.axis),
+                         hn::IfThenElse(takes_one, one.cosine, other.cosine),
+                         hn::IfThenElse(takes_one, one.sine, other.sine)};
+
+  const Float across = hn::Max(hn::Sub(unit, squared(between)), constant(1e-4f));
+  const Float along = hn::Div(hn::Sub(one.cosine, hn::Mul(between, other.cosine)), across);
+  const Float other_along = hn::Div(hn::Sub(other.cosine, hn::Mul(between, one.cosine)), across);
+  const Float3 foot = one.axis * along + other.axis * other_along;
+  const Float reach = length(foot);
+  const Float cosine = hn::Sub(hn::Sub(reach, constant(1e-5f)), hn::Div(constant(kRounding), across));
+  Mask narrower = hn::And(neither, hn::Gt(across, constant(1e-4f)));
+  narrower = hn::And(narrower, hn::And(hn::Gt(along, zero), hn::Gt(other_along, zero)));
+  narrower = hn::And(narrower, hn::And(hn::Lt(cosine, unit), hn::Gt(cosine, hn::Max(smaller.cosine, zero))));
+  const Float3 axis = foot * hn::Div(unit, hn::Max(reach, constant(1e-4f)));
+  const Float sine = hn::Sqrt(positive(hn::Sub(unit, squared(cosine))));
+  return {{select(narrower, axis, smaller.axis), hn::IfThenElse(narrower, cosine, smaller.cosine),
+           hn::IfThenElse(narrower, sine, smaller.sine)},
+          empty};
+}
+
+// What both tests measure first: spheres and boxes.
+struct Gap {
+  Float3 in_a;  // centre to centre, A's frame
+  Float3 in_b;  // the same, B's axes
+  Float squared;
+  Float distance;
+  Float radii;       // of both spheres, rounding added
+  Float3 outside_a;  // beyond both boxes along A's axes; negative within
+  Float3 outside_b;
+};
+
+Float3 outside(const Float3& gap, const Float3& halves) {
+  return {hn::Sub(hn::Abs(gap.x), halves.x), hn::Sub(hn::Abs(gap.y), halves.y),
+          hn::Sub(hn::Abs(gap.z), halves.z)};
+}
+
+Float length_outside(const Float3& outside) {
+  return length({positive(outside.x), positive(outside.y), positive(outside.z)});
+}
+
+Gap gap_between(const NodeBatch::View& view, const WideNodes& a, const WideNodes& b, const Float3& in_a) {
+  const Float ratio = constant(view.ratio);
+  const Float radii = hn::Add(a.radius(), hn::Mul(ratio, b.radius()));
+  const Float slack = hn::Mul(constant(kRounding), hn::Add(radii, constant(view.cutoff)));
+  const Float3 slacks{slack, slack, slack};
+  const Float3 half_a = a.half(), half_b = b.half() * ratio;
+  Gap gap;
+  gap.in_a = in_a;
+  gap.in_b = transposed_times(view.rotation, in_a);
+  gap.squared = dot(in_a, in_a);
+  gap.distance = hn::Sqrt(gap.squared);
+  gap.radii = hn::Mul(radii, constant(1.0f + kRounding));
+  gap.outside_a = outside(gap.in_a, half_a + times(view.magnitude, half_b) + slacks);
+  gap.outside_b = outside(gap.in_b, transposed_times(view.magnitude, half_a) + half_b + slacks);
+  return gap;
+}
+
+// How far the one model lies, along an axis, beyond the boxes that the other's cones sweep within the cutoff;
+// the larger over the axes, seen from A and from B.
+struct Swept {
+  Float from_a;
+  Float from_b;
+};
+
+Swept beyond_swept_boxes(const Gap& gap, const WideNodes& a, const WideNodes& b, float cutoff) {
+  const Float zero = hn::Zero(Lanes()), reach = constant(cutoff);
+  const auto beyond = [&](Float outside, Mask high, const WideNodes& nodes, int axis) {
+    const Float sweep = hn::IfThenElse(high, nodes.sweep_high(axis), nodes.sweep_low(axis));
+    return hn::Sub(outside, hn::Mul(reach, sweep));
+  };
+  const Float from_a = hn::Max(beyond(gap.outside_a.x, hn::Gt(gap.in_a.x, zero), a, 0),
+                               hn::Max(beyond(gap.outside_a.y, hn::Gt(gap.in_a.y, zero), a, 1),
+                                       beyond(gap.outside_a.z, hn::Gt(gap.in_a.z, zero), a, 2)));
+  const Float from_b = hn::Max(beyond(gap.outside_b.x, hn::Lt(gap.in_b.x, zero), b, 0),
+                               hn::Max(beyond(gap.outside_b.y, hn::Lt(gap.in_b.y, zero), b, 1),
+                                       beyond(gap.outside_b.z, hn::Lt(gap.in_b.z, zero), b, 2)));
+  return {from_a, from_b};
+}
+
+WideCone cone_in_a(const NodeBatch::View& view, const WideCone& cone) {
+  return {negative(times(view.rotation, cone.axis)), cone.cosine, cone.sine};
+}
+
+Float3 gap_at(const NodeBatch::Rows& rows, std::size_t first) {
+  return {hn::Load(Lanes(), rows.gap[0].data() + first), hn::Load(Lanes(), rows.gap[1].data() + first),
+          hn::Load(Lanes(), rows.gap[2].data() + first)};
+}
+
+void judge_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t first,
+                 NodeBatch::Verdict* verdicts) {
+  const WideNodes a(rows.a.data() + first), b(rows.b.data() + first);
+  const Gap gap = gap_between(view, a, b, gap_at(rows, first));
+  const Float cutoff = constant(view.cutoff), zero = hn::Zero(Lanes());
+  const Float apart = hn::Max(length_outside(gap.outside_a), length_outside(gap.outside_b));
+  const Mask near =
+      hn::And(hn::Le(hn::Mul(gap.distance, constant(1.0f - kRounding)), hn::Add(gap.radii, cutoff)),
+              hn::Le(apart, cutoff));
+  const Mask contact = hn::And(near, hn::And(hn::Le(apart, zero), hn::Le(gap.squared, squared(gap.radii))));
+
+  const Swept swept = beyond_swept_boxes(gap, a, b, view.cutoff);
+  const Lens lens = lens_of(a.cone(), cone_in_a(view, b.cone()));
+  const Float sector = squared_distance_to_sector(gap.in_a, gap.squared, lens.cone, cutoff);
+  const Mask in_sector =
+      hn::Le(sector, hn::Add(squared(gap.radii), hn::Mul(constant(kRounding), gap.squared)));
+  Mask minimum = hn::And(near, hn::Le(hn::Max(swept.from_a, swept.from_b), zero));
+  minimum = hn::And(minimum, hn::AndNot(lens.empty, in_sector));
+
+  alignas(64) float minima[NodeBatch::kMost], contacts[NodeBatch::kMost];
+  hn::Store(hn::IfThenElseZero(minimum, constant(1.0f)), Lanes(), minima);
+  hn::Store(hn::IfThenElseZero(contact, constant(1.0f)), Lanes(), contacts);
+  for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) verdicts[i] = {minima[i] != 0.0f, contacts[i] != 0.0f};
+}
+
+void judge(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t count,
+           NodeBatch::Verdicts& verdicts) {
+  for (std::size_t first = 0; first < count; first += hn::Lanes(Lanes()))
+    judge_lanes(view, rows, first, verdicts.data() + first);
+}
+
+// As certified_from_b().
+Float seen_from_b(Float slack, float reach) {
+  const Float kept =
+      hn::Div(slack, hn::Add(constant(1.0f), hn::Mul(positive(slack), constant(1.0f / reach))));
+  return hn::Mul(kept, constant(1.0f - kRounding));
+}
+
+// A lower bound of the angle by which one cone clears the other; not positive where they meet. The sine of a
+// difference of angles bounds it up to a right angle, and is exact enough for narrow cones, too.
+Float angle_between(const WideCone& one, const WideCone& other) {
+  const Float zero = hn::Zero(Lanes());
+  const Float cosine = dot(one.axis, other.axis), sine = length(cross(one.axis, other.axis));
+  const Float sum_cosine = hn::Sub(hn::Mul(one.cosine, other.cosine), hn::Mul(one.sine, other.sine));
+  const Float sum_sine = hn::Add(hn::Mul(one.sine, other.cosine), hn::Mul(one.cosine, other.sine));
+  const Float clear_sine = hn::Sub(hn::Mul(sine, sum_cosine), hn::Mul(cosine, sum_sine));
+  const Float clear_cosine = hn::Add(hn::Mul(cosine, sum_cosine), hn::Mul(sine, sum_sine));
+  const Mask obtuse = hn::And(hn::Lt(clear_cosine, zero), hn::Gt(clear_sine, zero));
+  const Float angle = hn::Sub(hn::IfThenElse(obtuse, constant(1.0f), clear_sine), constant(kRounding));
+  const Mask bounded = hn::And(hn::Ge(one.cosine, zero), hn::Ge(other.cosine, zero));
+  return hn::IfThenElse(bounded, angle, constant(-1.0f));
+}
+
+void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t first,
+                   const MotionRate& rate, float reach, NodeBatch::Certificates& certificates) {
+  const WideNodes a(rows.a.data() + first), b(rows.b.data() + first);
+  const Gap gap = gap_between(view, a, b, gap_at(rows, first));
+  const Float cutoff = constant(view.cutoff), zero = hn::Zero(Lanes()), forever = constant(kForever);
+  const Float between = hn::Sub(hn::Mul(gap.distance, constant(1.0f - kRounding)), gap.radii);
+  const Float from_a = length_outside(gap.outside_a), from_b = length_outside(gap.outside_b);
+  const Float far =
+      hn::Max(hn::Sub(hn::Max(between, from_a), cutoff), seen_from_b(hn::Sub(from_b, cutoff), reach));
+  const Float apart = hn::Max(hn::Max(between, from_a), seen_from_b(from_b, reach));
+
+  // No direction of the one cone meets the other's model within the cutoff.
+  const WideCone cone_a = a.cone(), cone_b = cone_in_a(view, b.cone());
+  const auto clear_of = [&](const WideCone& cone) {
+    const Float clear = hn::Sqrt(squared_distance_to_sector(gap.in_a, gap.squared, cone, cutoff));
+    return hn::Sub(hn::Sub(clear, gap.radii), hn::Mul(constant(kRounding), gap.distance));
+  };
+  const Swept boxes = beyond_swept_boxes(gap, a, b, view.cutoff);
+  const Float swept = hn::Max(hn::Max(boxes.from_a, clear_of(cone_a)),
+                              seen_from_b(hn::Max(boxes.from_b, clear_of(cone_b)), reach));
+  const Float turned = angle_between(cone_a, cone_b);
+  const Float ratio = constant(static_cast<float>(rate.distance / rate.angle));
+  const Mask by_turn = hn::Gt(hn::Mul(turned, ratio), swept);
+
+  const Mask is_far = hn::Gt(far, zero);
+  const Float distance = hn::IfThenElse(is_far, far, hn::Min(apart, hn::IfThenElse(by_turn, forever, swept)));
+  const Float angle = hn::IfThenElse(hn::AndNot(is_far, by_turn), turned, forever);
+  hn::Store(positive(distance), Lanes(), certificates.distance.data() + first);
+  hn::Store(positive(angle), Lanes(), certificates.angle.data() + first);
+}
+
+void certify(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t count,
+             const MotionRate& rate, float reach, NodeBatch::Certificates& certificates) {
+  for (std::size_t first = 0; first < count; first += hn::Lanes(Lanes()))
+    certify_lanes(view, rows, first, rate, reach, certificates);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace palpate
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <cmath>
+
+namespace palpate {
+namespace {
+
+HWY_EXPORT(judge);
+HWY_EXPORT(certify);
+
+NodeBatch::View view_of(const Placement& placement, double cutoff) {
+  constexpr float kRounding = 4e-6f;
+  NodeBatch::View view;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) {
+      const auto entry = static_cast<float>(placement.rotation[column][row]);
+      view.rotation[column][row] = entry;
+      view.magnitude[column][row] = std::abs(entry) + kRounding;
+    }
+  view.ratio = static_cast<float>(placement.ratio);
+  view.cutoff = static_cast<float>(cutoff) * (1.0f + kRounding);
+  return view;
+}
+
+}  // namespace
+
+NodeBatch::NodeBatch(const Tree& a, const Tree& b, const Placement& placement, double cutoff)
+    : a_(a), b_(b), placement_(placement), view_(view_of(placement, cutoff)) {}
+
+void NodeBatch::judge(std::span<const NodePair> pairs, Verdicts& verdicts) {
+  gather(pairs);
+  HWY_DYNAMIC_DISPATCH(judge)(view_, rows_, pairs.size(), verdicts);
+}
+
+void NodeBatch::certify(std::span<const NodePair> pairs, const MotionRate& rate, double reach,
+                        Certificates& certificates) {
+  gather(pairs);
+  HWY_DYNAMIC_DISPATCH(certify)
+  (view_, rows_, pairs.size(), rate, std::nextafter(static_cast<float>(reach), 0.0f), certificates);
+}
+
+// Rows that no pair fills repeat the first, so that no lane meets garbage.
+void NodeBatch::gather(std::span<const NodePair> pairs) {
+  for (std::size_t i = 0; i < kMost; ++i) {
+    const NodePair pair = pairs[i < pairs.size() ? i : 0];
+    rows_.a[i] = a_.node(pair.a);
+    rows_.b[i] = b_.node(pair.b);
+    const Vec3 gap(placement_.point(DVec3(rows_.b[i].centre)) - DVec3(rows_.a[i].centre));
+    for (int axis = 0; axis < 3; ++axis) rows_.gap[axis][i] = gap[axis];
+  }
+}
+
+}  // namespace palpate
+#endif

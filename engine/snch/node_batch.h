@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/mesh/placement.h"
+#include "engine/snch/odometer.h"
+#include "engine/snch/tree.h"
+
+namespace palpate {
+
+// Two nodes, one of each tree, by index.
+struct NodePair {
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+// Decides for many pairs of nodes at once whether each may hold a local minimum distance within the cutoff,
+// or surfaces that touch. Every test is conservative: it says no only with proof, rounding included. Lengths
+// are in A's normalised frame. Wide: as many pairs together as the processor has lanes; every instruction set
+// gives the same bits.
+//
+// Based on: D. Johnson & E. Cohen, "Spatialized Normal Cone Hierarchies", I3D 2001. Ours bounds the polar
+// cones rather than the face normals, tests d against the segment the cone sweeps within the cutoff rather
+// than against its infinite cone, intersects both nodes' cones first, and sweeps boxes, too.
+class NodeBatch {
+ public:
+  static constexpr std::size_t kMost = 16;  // pairs a call
+
+  // What a pair may still hold.
+  struct Verdict {
+    bool minimum;
+    bool contact;
+  };
+  using Verdicts = std::array<Verdict, kMost>;
+
+  // How long a pair will hold neither minimum nor contact; 0 in one of both where it may hold one now.
+  struct Certificates {
+    alignas(64) std::array<float, kMost> distance;
+    alignas(64) std::array<float, kMost> angle;
+
+    Certificate of(std::size_t i) const { return {distance[i], angle[i]}; }
+  };
+
+  NodeBatch(const Tree& a, const Tree& b, const Placement& placement, double cutoff);
+
+  // One to kMost pairs.
+  void judge(std::span<const NodePair> pairs, Verdicts& verdicts);
+
+  // `reach` is the odometer's.
+  void certify(std::span<const NodePair> pairs, const MotionRate& rate, double reach,
+               Certificates& certificates);
+
+  // Of two nodes that are not both leaves, which one a traversal opens: the larger.
+  bool opens_first(const Node& a, const Node& b) const {
+    return b.is_leaf() || (!a.is_leaf() && a.radius > view_.ratio * b.radius);
+  }
+
+  // What every pair has in common.
+  struct View {
+    float rotation[3][3];   // by column
+    float magnitude[3][3];  // |rotation|, a little enlarged
+    float ratio;
+    float cutoff;
+  };
+
+  // The nodes of the pairs, side by side, and the way from A's centre to B's in A's frame.
+  struct Rows {
+    std::array<Node, kMost> a;
+    std::array<Node, kMost> b;
+    alignas(64) std::array<float, kMost> gap[3];
+  };
+
+ private:
+  void gather(std::span<const NodePair> pairs);
+
+  const Tree& a_;
+  const Tree& b_;
+  Placement placement_;
+  View view_;
+  Rows rows_;
+};
+
+}  // namespace palpate
