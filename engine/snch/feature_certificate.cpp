@@ -106,13 +106,13 @@ Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const 
                                            glm::dot(away, end - face.shape.start(side))));
     }
     Certificate one = seen_from(face_side, outside);
+    const double tilt = std::abs(glm::dot(normal, end - start)) / glm::length(end - start);
+    one = longer(one, Certificate::within_angle(tilt - 2 * limits_.parallel_tolerance), rate_);
     if (rate_.lifetime(one) < kLongLived) {
       const Feature edge = edge_side.edge(edges, j);
       double lean = edge_side.violation(edge, -normal);
       if (two_sided) lean = std::min(lean, edge_side.violation(edge, normal));
-      const double tilt = std::abs(glm::dot(normal, end - start)) / glm::length(end - start);
-      one = longer(one, Certificate::within_angle(std::max(lean, tilt) - 2 * limits_.parallel_tolerance),
-                   rate_);
+      one = longer(one, Certificate::within_angle(lean - 2 * limits_.parallel_tolerance), rate_);
     }
     all = both(all, one);
   }
@@ -147,15 +147,16 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   const double sine = std::sqrt(lines.normal_squared);
   if (!(sine > 1e-6)) return {};
   const DVec3 normal = lines.normal / sine;
-  const Certificate leaning = common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine);
-  // As they become parallel, the lines cross anywhere.
-  if (rate_.lifetime(leaning) >= kLongLived || sine < 4 * limits_.parallel_tolerance) return leaning;
   const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
   const double beyond = std::max(std::abs(lines.s - place_a), std::abs(lines.t - place_b));
   const double height = std::abs(glm::dot(start_b - start_a, normal));
   const double slack = std::max(beyond * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
-  return longer(leaning, across_normal(slack, arm, sine), rate_);
+  // As they become parallel, the lines cross anywhere.
+  const Certificate across =
+      sine < 4 * limits_.parallel_tolerance ? Certificate{} : across_normal(slack, arm, sine);
+  if (rate_.lifetime(across) >= kLongLived) return across;
+  return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine), rate_);
 }
 
 // The common normal of two lines that turn by an angle of at most half the sine between them turns by no more

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_certificate.h"
@@ -20,14 +19,21 @@ constexpr double kKept = 0.999;
 // Readings beyond this are set back to 0 with a new front, so that float32 expiries stay fine.
 constexpr double kLongReading = 0.25;
 
-// A float32 no larger than x.
+// A float32 below x if that is positive; not positive otherwise.
 float rounded_down(double x) {
-  return std::nextafter(static_cast<float>(x), -1.0f);
+  return static_cast<float>(x) * (1.0f - 0x1p-23f);
+}
+
+// A float32 no less than x, which is not negative.
+float rounded_up(double x) {
+  return static_cast<float>(x) * (1.0f + 0x1p-22f);
 }
 
 }  // namespace
 
 struct KineticFront::Tick {
+  const Tree& tree_a;
+  const Tree& tree_b;
   const Placement& placement;
   double reach;  // A's normalised frame, as the next
   double touch;
@@ -52,7 +58,9 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   going_on ? odometer_->advance(placement) : start(placement);
   const double reach = model_b.radius() / a.frame.scale + cutoff;
   const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
-  Tick tick{placement,
+  Tick tick{model_a.tree(),
+            model_b.tree(),
+            placement,
             reach,
             touch,
             NodeBatch(model_a.tree(), model_b.tree(), placement, cutoff),
@@ -82,8 +90,7 @@ void KineticFront::start(const Placement& placement) {
 }
 
 void KineticFront::scan(Tick& tick) {
-  const float distance = std::nextafter(static_cast<float>(odometer_->distance()), 1e30f);
-  const float angle = std::nextafter(static_cast<float>(odometer_->angle()), 1e30f);
+  const float distance = rounded_up(odometer_->distance()), angle = rounded_up(odometer_->angle());
   work_.entries = front_.size();
   open_.clear();
   std::size_t kept = 0;
@@ -115,8 +122,7 @@ void KineticFront::settle_last(Tick& tick, std::size_t most, std::vector<Entry>&
 void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
                           std::vector<NodePair>& open, bool collect) {
   ++tick.found.work.node_pairs;
-  const Tree &tree_a = a_->tree(), &tree_b = b_->tree();
-  const Node &a = tree_a.node(pair.a), &b = tree_b.node(pair.b);
+  const Node &a = tick.tree_a.node(pair.a), &b = tick.tree_b.node(pair.b);
   if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
     if (tick.node_batch.opens_first(a, b)) {
       open.push_back({a.second_child(), pair.b});
@@ -134,8 +140,8 @@ void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, st
 // A certificate proves that there is nothing now, either; without one the pair is looked at.
 Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect) {
   ++tick.found.work.triangle_pairs;
-  const TestedTriangle tested_a = owned_triangle(a_->tree(), a_->mesh(), a);
-  const TestedTriangle tested_b = owned_triangle(b_->tree(), b_->mesh(), b, tick.placement);
+  const TestedTriangle tested_a = owned_triangle(tick.tree_a, a_->mesh(), a);
+  const TestedTriangle tested_b = owned_triangle(tick.tree_b, b_->mesh(), b, tick.placement);
   const Certificate certificate = tick.feature_certificate(tested_a, tested_b);
   if (certificate.holds() || !collect) return certificate;
   if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch))
