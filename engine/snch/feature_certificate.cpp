@@ -199,8 +199,10 @@ Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, c
         const DVec3 u = between / distance;
         const Feature edge = edge_side.edge(edges, j);
         const Feature vertex = corner_side.vertex(corners, k);
-        const double lean = std::max(edge_side.violation(edge, u), corner_side.violation(vertex, -u));
-        one = longer(one, leaning(edge_side, lean, distance), rate_);
+        const Certificate beside = seen_from(edge_side, lateral(edge_side.violation(edge, u), distance));
+        const Certificate below =
+            leaning_from_corner(corner_side, corner_side.violation(vertex, -u), distance);
+        one = longer(one, longer(beside, below, rate_), rate_);
       }
       all = both(all, one);
     }
@@ -219,8 +221,8 @@ Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTri
       Certificate one = Certificate::within_distance(distance - limits_.cutoff);
       if (rate_.lifetime(one) < kLongLived && distance > 0) {
         const DVec3 u = between / distance;
-        const double lean = std::max(a_.violation(a_.vertex(a, i), u), b_.violation(b_.vertex(b, j), -u));
-        one = longer(one, leaning(a_, lean, distance), rate_);
+        one = longer(one, seen_from(a_, lateral(a_.violation(a_.vertex(a, i), u), distance)), rate_);
+        one = longer(one, seen_from(b_, lateral(b_.violation(b_.vertex(b, j), -u), distance)), rate_);
       }
       all = both(all, one);
     }
@@ -232,16 +234,22 @@ Certificate FeatureCertificate::seen_from(const MeshSide& side, double slack) co
   return Certificate::within_distance(side.is_b ? certified_from_b(slack, reach_) : slack);
 }
 
-// A direction between points at `distance` turns by no more than kTurn times their motion over it, while that
-// is at most half of it; a polar cone turns with its model. Both have a share of the lean, so that they are
-// used up together.
-Certificate FeatureCertificate::leaning(const MeshSide& side, double lean, double distance) const {
-  const double left = lean - limits_.parallel_tolerance - limits_.touch / distance;
-  if (!(left > 0)) return {};
-  const double by_motion = kTurn / distance;
-  const double share = rate_.distance * by_motion / (rate_.distance * by_motion + rate_.angle);
-  Certificate certificate = seen_from(side, std::min(share * left / by_motion, 0.5 * distance));
-  certificate.angle = (1.0 - share) * left;
+// How far a point at `distance` may move, seen from a feature, until its direction leans outside the
+// feature's polar cone no more: that far it is beyond one of the planes that bound the points of that cone.
+double FeatureCertificate::lateral(double lean, double distance) const {
+  return lean * distance - limits_.parallel_tolerance * limits_.cutoff - 2 * limits_.touch;
+}
+
+// The same of a corner's foot on an edge: it moves with the edge, and turns about the corner as the edge
+// does.
+Certificate FeatureCertificate::leaning_from_corner(const MeshSide& corner_side, double lean,
+                                                    double distance) const {
+  const double slack = lateral(lean, distance);
+  if (!(slack > 0)) return {};
+  const double by_turn = distance + slack;
+  const double share = rate_.distance / (rate_.distance + rate_.angle * by_turn);
+  Certificate certificate = seen_from(corner_side, share * slack);
+  certificate.angle = (1.0 - share) * slack / by_turn;
   return certificate;
 }
 

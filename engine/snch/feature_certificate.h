@@ -37,7 +37,8 @@ class FeatureCertificate {
   Certificate corners(const TestedTriangle& a, const TestedTriangle& b) const;
 
   Certificate seen_from(const MeshSide& side, double slack) const;
-  Certificate leaning(const MeshSide& side, double lean, double distance) const;
+  double lateral(double lean, double distance) const;
+  Certificate leaning_from_corner(const MeshSide& corner_side, double lean, double distance) const;
 
   const MeshSide a_;
   const MeshSide b_;
