@@ -43,12 +43,14 @@ plp_work work_of(const ContactWork& work) {
 }  // namespace
 
 void ContactArrays::assign(const Contacts& contacts, const Space& space) {
-  // Only these two can throw.
+  // Only these can throw.
   lmds_.reserve(contacts.lmds.size());
+  springs_.reserve(contacts.springs.size());
   overlaps_.reserve(contacts.overlaps.size());
 
   clear();
   for (const Contact& contact : contacts.lmds) lmds_.push_back(lmd_of(contact, space));
+  for (const Contact& spring : contacts.springs) springs_.push_back(lmd_of(spring, space));
   for (const BodyOverlap& overlap : contacts.overlaps) overlaps_.push_back(overlap_of(overlap));
   shown_.overlap = contacts.overlap;
   shown_.lmds = lmds_.data();
@@ -61,10 +63,13 @@ void ContactArrays::assign(const Contacts& contacts, const Space& space) {
   shown_.wrench = space.wrench_out(contacts.wrench);
   shown_.search_us = contacts.search_us;
   shown_.work = work_of(contacts.work);
+  shown_.springs = springs_.data();
+  shown_.spring_count = springs_.size();
 }
 
 void ContactArrays::clear() {
   lmds_.clear();
+  springs_.clear();
   overlaps_.clear();
   shown_ = {};
   shown_.lmd_stride = sizeof(plp_lmd);

@@ -21,6 +21,7 @@ class ContactArrays {
 
  private:
   std::vector<plp_lmd> lmds_;
+  std::vector<plp_lmd> springs_;
   std::vector<plp_overlap> overlaps_;
   plp_contacts shown_;
 };

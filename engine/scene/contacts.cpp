@@ -68,6 +68,7 @@ void ContactWork::add(const PairWork& pair) {
 
 void Contacts::clear() {
   lmds.clear();
+  springs.clear();
   set_count = 0;
   overlaps.clear();
   overlap = false;
@@ -84,6 +85,7 @@ void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& con
     contacts.min_distance = std::min(contacts.min_distance, contact.distance);
     contacts.wrench += wrench_about(pair.reference, contact.point_b, contact.force);
     contacts.lmds.push_back(contact);
+    contacts.springs.push_back(contact);
   }
   contacts.set_count += found.set_count;
   append_overlaps(found, pair, contacts);

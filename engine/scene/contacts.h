@@ -55,13 +55,14 @@ struct ContactWork {
 
 // All that the tool meets at one moment.
 struct Contacts {
-  std::vector<Contact> lmds;  // ordered by set
+  std::vector<Contact> lmds;     // ordered by set; each with the force of its spring alone
+  std::vector<Contact> springs;  // all that pushes, each with its whole force
   std::uint32_t set_count = 0;
   std::vector<BodyOverlap> overlaps;
   bool overlap = false;
   bool overlaps_cut = false;  // more overlap than are listed
   double min_distance = std::numeric_limits<double>::infinity();
-  Wrench wrench;  // on the tool about its reference point
+  Wrench wrench;  // of the springs on the tool about its reference point
   ContactWork work;
   double search_us = 0.0;
 

@@ -63,7 +63,8 @@ class OverwrittenTest(unittest.TestCase):
     def test_arrays_of_an_overwritten_outcome_are_refused(self):
         second = self.search(1.05)
         self.assertAlmostEqual(distances(second)[0], 0.05, delta=1e-9)
-        for read in (lambda: self.first.contacts, lambda: self.first.overlaps, self.first.copy):
+        for read in (lambda: self.first.contacts, lambda: self.first.overlaps, lambda: self.first.springs,
+                     self.first.copy):
             with self.assertRaisesRegex(palpate.InvalidHandle, "copy"):
                 read()
 
@@ -88,6 +89,8 @@ class OverwrittenTest(unittest.TestCase):
         self.assertEqual(copy.set_count, 1)
         self.assertEqual(copy.wrench, self.first.wrench)
         self.assertEqual(len(copy.overlaps), 0)
+        self.assertEqual([tuple(spring["force"]) for spring in copy.springs],
+                         [tuple(contact["force"]) for contact in copy.contacts])
 
     def test_a_copy_of_nothing(self):
         copy = self.search(9).copy()

@@ -304,7 +304,8 @@ typedef struct plp_lmd {
   double normal[3];  /**< unit vector from point_a to point_b */
   double distance;
   double weight;     /**< of this point in its set: the weights of one set sum to 1 */
-  double force[3];   /**< newtons, on the second model or on the tool, at point_b */
+  double force[3];   /**< newtons, on the second model or on the tool, at point_b: stiffness × (cutoff −
+                        distance) × weight along the normal; in plp_contacts::springs all that it pushes with */
   plp_body body_a;   /**< 0 from plp_query */
   plp_body body_b;   /**< 0 from plp_query */
   uint32_t set;      /**< points of one plateau share it; 0, 1, … in order */
@@ -339,6 +340,11 @@ typedef struct plp_work {
   double global_us;        /**< time of searches from scratch in this step */
 } plp_work;
 
+/** How an outcome is out of the ordinary: bits of plp_contacts::status. */
+typedef enum plp_status {
+  PLP_STATUS_WALL = 8 /**< surfaces overlap and walls hold the tool */
+} plp_status;
+
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
 typedef struct plp_contacts {
   uint32_t struct_size;
@@ -357,6 +363,10 @@ typedef struct plp_contacts {
   plp_wrench wrench;
   double search_us;
   plp_work work;
+  const plp_lmd* springs; /**< all that pushes, each with its whole force; steps by lmd_stride */
+  size_t spring_count;
+  uint32_t status; /**< PLP_STATUS_* bits; 0: all well */
+  uint32_t reserved2;
 } plp_contacts;
 
 /** @brief Fills `contacts` with zeros and its size. @threadsafety any @since 0.1 */

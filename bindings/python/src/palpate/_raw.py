@@ -52,6 +52,8 @@ PLP_MODE_GLOBAL = 0
 PLP_MODE_DESCENT = 1
 PLP_MODE_CERTIFIED = 2
 
+PLP_STATUS_WALL = 8
+
 plp_log_callback = CFUNCTYPE(None, c_int, c_char_p, c_void_p)
 
 
@@ -188,6 +190,10 @@ class plp_contacts(Structure):
         ("wrench", plp_wrench),
         ("search_us", c_double),
         ("work", plp_work),
+        ("springs", c_void_p),
+        ("spring_count", c_size_t),
+        ("status", c_uint32),
+        ("reserved2", c_uint32),
     ]
 
 

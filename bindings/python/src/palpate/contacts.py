@@ -53,7 +53,7 @@ class _Copy:
 class Contacts:
     """The outcome of one search. Its numbers stay what they are. Its arrays are views of native memory, which they keep
     alive. That of a scene, or of a QueryResult that is used again, is overwritten by the next search: from then on
-    `contacts` and `overlaps` raise InvalidHandle, and an array taken from them earlier must no longer be read. Keep a
+    `contacts`, `springs` and `overlaps` raise InvalidHandle, and an array taken from them earlier must no longer be read. Keep a
     copy() instead."""
 
     def __init__(self, struct: _raw.plp_contacts, owner: Native | _Copy) -> None:
@@ -68,6 +68,11 @@ class Contacts:
         distance, weight, force, body_a, body_b, set, feature_a, feature_b, corner_a, corner_b, triangle_a,
         triangle_b."""
         return view(self._lmd_span())
+
+    @property
+    def springs(self) -> Records:
+        """All that pushes, each with its whole force: with the fields of `contacts`."""
+        return view(self._spring_span())
 
     @property
     def overlaps(self) -> Records:
@@ -110,9 +115,9 @@ class Contacts:
 
     def copy(self) -> "Contacts":
         """The same outcome in memory of its own."""
-        owner = _Copy(self._lmd_span(), self._overlap_span())
+        owner = _Copy(self._lmd_span(), self._overlap_span(), self._spring_span())
         struct = _raw.plp_contacts.from_buffer_copy(self._struct)
-        struct.lmds, struct.overlaps = map(ctypes.addressof, owner.memories)
+        struct.lmds, struct.overlaps, struct.springs = map(ctypes.addressof, owner.memories)
         return Contacts(struct, owner)
 
     def __repr__(self) -> str:
@@ -125,6 +130,10 @@ class Contacts:
     def _overlap_span(self) -> Span:
         struct = self._struct
         return self._span(_raw.plp_overlap, struct.overlaps, struct.overlap_count, struct.overlap_stride)
+
+    def _spring_span(self) -> Span:
+        struct = self._struct
+        return self._span(_raw.plp_lmd, struct.springs, struct.spring_count, struct.lmd_stride)
 
     def _span(self, record: type[ctypes.Structure], address: int | None, count: int, stride: int) -> Span:
         if self._generation != self._owner.generation:
