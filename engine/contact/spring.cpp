@@ -5,7 +5,7 @@
 namespace palpate {
 
 DVec3 spring_force(const SpringContact& contact, const SpringLaw& law) {
-  const double compression = std::max(0.0, law.cutoff - contact.distance);
+  const double compression = std::clamp(law.cutoff - contact.distance, 0.0, 2.0 * law.cutoff);
   return (law.stiffness * compression * contact.weight) * contact.direction;
 }
 

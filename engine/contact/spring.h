@@ -26,12 +26,14 @@ struct SpringContact {
 
 // How every spring of a pair pushes.
 struct SpringLaw {
-  double stiffness;  // N/m
-  double cutoff;     // metres: where the spring is at rest
+  double stiffness;       // N/m
+  double cutoff;          // metres: where the spring is at rest
+  double damping = 0.0;   // N·s/m, only while closing
+  double friction = 0.0;  // Coulomb's coefficient
 };
 
 // The force on the tool, k (c − d) w u of [JW04] section 3.5; zero from the cutoff on, so that it never
-// pulls.
+// pulls. A wall's spring, whose distance is negative while it is pressed in, grows to 2 k c and no more.
 DVec3 spring_force(const SpringContact& contact, const SpringLaw& law);
 
 // A force that acts at `point`, as a wrench about `reference`.
