@@ -33,12 +33,21 @@ SearchMode mode_of(std::int32_t mode, const char* name) {
   refuse(ErrorCode::kInvalidArgument, std::string(name) + " is no plp_mode");
 }
 
+// Not so short that a velocity is no number.
+double time_step_of(double seconds) {
+  if (!(seconds >= 1e-6 && seconds <= 1.0))
+    refuse_argument("options->time_step", " is not within 1e-6 and 1 s");
+  return seconds;
+}
+
 // All but the model.
 BodyOptions body_in(const plp_body_options& options, const Space& space) {
   BodyOptions body;
   body.kind = kind_of(options);
   body.pose = space.pose_in(options.pose, "options->pose");
   body.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
+  body.damping = checked_not_negative(options.damping, "options->damping");
+  body.friction = checked(options.friction, "options->friction");
   body.reference_point =
       checked(space.point_in(vector_of(options.reference_point)), "options->reference_point");
   return body;
@@ -52,6 +61,11 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.max_overlaps = options.max_overlaps;
   scene.mode = mode_of(options.mode, "options->mode");
   if (options.global_every > 0) scene.global_every = options.global_every;
+  scene.damping = checked_not_negative(options.damping, "options->damping");
+  scene.stiffness_cap = checked_not_negative(options.stiffness_cap, "options->stiffness_cap");
+  scene.friction = checked_not_negative(options.friction, "options->friction");
+  scene.fade_time = checked_not_negative(options.fade_time, "options->fade_time");
+  if (options.time_step != 0.0) scene.time_step = time_step_of(options.time_step);
   return std::make_unique<SceneObject>(space, scene);
 }
 
@@ -77,6 +91,8 @@ void plp_scene_options_init(plp_scene_options* options) {
   options->space = kPalpateSpace;
   options->stiffness = 1000.0;
   options->mode = PLP_MODE_CERTIFIED;
+  options->fade_time = 0.02;
+  options->time_step = 0.001;
 }
 
 plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene) {
@@ -161,6 +177,30 @@ plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness) {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     object->scene.set_stiffness(checked_not_negative(stiffness, "stiffness"));
+  });
+}
+
+plp_result plp_scene_set_damping(plp_scene scene, double damping) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_damping(checked_not_negative(damping, "damping"));
+  });
+}
+
+plp_result plp_scene_set_stiffness_cap(plp_scene scene, double stiffness_cap) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_stiffness_cap(checked_not_negative(stiffness_cap, "stiffness_cap"));
+  });
+}
+
+plp_result plp_scene_set_friction(plp_scene scene, double friction) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_friction(checked_not_negative(friction, "friction"));
   });
 }
 

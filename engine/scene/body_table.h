@@ -6,6 +6,7 @@
 
 #include "engine/scene/contacts.h"
 #include "engine/scene/pair_search.h"
+#include "engine/scene/pair_springs.h"
 #include "engine/scene/sphere.h"
 
 namespace palpate {
@@ -17,6 +18,8 @@ struct BodyOptions {
   std::shared_ptr<const Model> model;
   Pose pose;                   // world from model
   double stiffness = 0.0;      // N/m against the tool; 0: the scene's
+  double damping = 0.0;        // N·s/m against the tool while closing; 0: the scene's
+  double friction = 0.0;       // Coulomb's coefficient against the tool; 0: the scene's, negative: none
   DVec3 reference_point{0.0};  // of the tool, model frame: torques are about it
 };
 
@@ -32,6 +35,7 @@ class Body {
   void set_pose(const Pose& pose);
 
   PairSearch against_tool;
+  PairSprings springs;  // against the tool
 
  private:
   BodyOptions options_;

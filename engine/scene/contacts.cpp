@@ -26,22 +26,6 @@ SurfacePlace place_of(const Mesh& mesh, const Feature& feature) {
   return {FeatureKind::kFace, 0, mesh.source[feature.index]};
 }
 
-Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set) {
-  Contact contact;
-  contact.point_a = pair.world_from_body * lmd.point_a;
-  contact.point_b = pair.world_from_body * lmd.point_b;
-  contact.normal = pair.world_from_body.rotation * lmd.normal;
-  contact.distance = lmd.distance;
-  contact.weight = lmd.weight;
-  contact.force = spring_force({contact.point_b, contact.normal, lmd.distance, lmd.weight}, pair.law);
-  contact.body_a = pair.body_id;
-  contact.body_b = pair.tool_id;
-  contact.set = first_set + lmd.set;
-  contact.place_a = place_of(pair.body, lmd.feature_a);
-  contact.place_b = place_of(pair.tool, lmd.feature_b);
-  return contact;
-}
-
 void append_overlaps(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
   contacts.overlap |= found.overlapping();
   contacts.overlaps_cut |= found.overlaps_cut;
@@ -79,13 +63,27 @@ void Contacts::clear() {
   search_us = 0.0;
 }
 
+Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set) {
+  Contact contact;
+  contact.point_a = pair.world_from_body * lmd.point_a;
+  contact.point_b = pair.world_from_body * lmd.point_b;
+  contact.normal = pair.world_from_body.rotation * lmd.normal;
+  contact.distance = lmd.distance;
+  contact.weight = lmd.weight;
+  contact.force = spring_force({contact.point_b, contact.normal, lmd.distance, lmd.weight}, pair.law);
+  contact.body_a = pair.body_id;
+  contact.body_b = pair.tool_id;
+  contact.set = first_set + lmd.set;
+  contact.place_a = place_of(pair.body, lmd.feature_a);
+  contact.place_b = place_of(pair.tool, lmd.feature_b);
+  return contact;
+}
+
 void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
   for (const Lmd& lmd : found.lmds) {
     const Contact contact = contact_of(lmd, pair, contacts.set_count);
     contacts.min_distance = std::min(contacts.min_distance, contact.distance);
-    contacts.wrench += wrench_about(pair.reference, contact.point_b, contact.force);
     contacts.lmds.push_back(contact);
-    contacts.springs.push_back(contact);
   }
   contacts.set_count += found.set_count;
   append_overlaps(found, pair, contacts);

@@ -77,11 +77,14 @@ struct ContactPair {
   BodyId tool_id;
   Pose world_from_body;
   SpringLaw law;
-  DVec3 reference;  // of the torque, world frame
   std::size_t max_overlaps;
 };
 
-// Adds what a search of `pair` found.
+// An LMD of `pair` in the world's frame with the force of its spring alone. `first_set` is what its set 0 is
+// called.
+Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set);
+
+// Adds what a search of `pair` found; not what pushes.
 void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts);
 
 }  // namespace palpate

@@ -26,9 +26,13 @@ void Query::search(const Model& a, const Model& b, const Pose& a_from_b, const Q
 
   contacts_.work.body_pairs = 1;
   contacts_.work.search = found_.work;
-  const DVec3 reference = a_from_b * options.reference_point;
-  append_contacts(found_, {a.mesh(), b.mesh(), 0, 0, Pose{}, options.law, reference, options.max_overlaps},
-                  contacts_);
+  const ContactPair pair{a.mesh(), b.mesh(), 0, 0, Pose{}, options.law, options.max_overlaps};
+  append_contacts(found_, pair, contacts_);
+  springs_.forget();
+  springs_.update(found_.lmds, {a_from_b, options.law.cutoff});
+  forces_.clear();
+  forces_.add(springs_.list(), pair, 0, contacts_);
+  forces_.finish(0.0, a_from_b * options.reference_point, contacts_);
 }
 
 }  // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/contacts.h"
+#include "engine/scene/spring_forces.h"
 #include "engine/snch/lmd_search.h"
 
 namespace palpate {
@@ -24,6 +25,8 @@ class Query {
 
   LmdSearch search_;
   LmdSet found_;
+  PairSprings springs_;
+  SpringForces forces_;
   Contacts contacts_;
 };
 

@@ -34,23 +34,29 @@ bool Scene::set_pose(BodyId id, const Pose& pose) {
 void Scene::step() {
   const Stopwatch watch;
   next_.clear();
+  forces_.clear();
   if (const Body* tool = bodies_.find(tool_)) {
     bodies_.for_each([&](BodyId id, Body& body) {
       if (id != tool_) touch(id, body, *tool);
     });
+    forces_.finish(options_.stiffness_cap, tool->pose() * tool->options().reference_point, next_);
   }
   next_.search_us = watch.elapsed_us();
   std::swap(contacts_, next_);
 }
 
 void Scene::forget_searches() {
-  bodies_.for_each([](BodyId, Body& body) { body.against_tool.forget(); });
+  bodies_.for_each([](BodyId, Body& body) {
+    body.against_tool.forget();
+    body.springs.forget();
+  });
 }
 
 void Scene::touch(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
   if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) {
     body.against_tool.forget();
+    body.springs.forget();
     return;
   }
   // At least one overlap is asked for, because an empty list means that nothing overlaps.
@@ -65,18 +71,18 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
     next_.work.search.triangle_pairs += pair.found().work.triangle_pairs;
     next_.work.add(pair.work());
   }
-  const double stiffness = body.options().stiffness > 0.0 ? body.options().stiffness : options_.stiffness;
-  const DVec3 reference = tool.pose() * tool.options().reference_point;
-  append_contacts(pair.found(),
-                  {body.mesh(),
-                   tool.mesh(),
-                   id,
-                   tool_,
-                   body.pose(),
-                   {stiffness, options_.cutoff},
-                   reference,
-                   options_.max_overlaps},
-                  next_);
+  const ContactPair contacts{
+      body.mesh(), tool.mesh(), id, tool_, body.pose(), law_of(body.options()), options_.max_overlaps};
+  const std::uint32_t first_set = next_.set_count;
+  append_contacts(pair.found(), contacts, next_);
+  body.springs.update(pair.found().lmds, {situation.body_from_tool, options_.cutoff, options_.time_step});
+  forces_.add(body.springs.list(), contacts, first_set, next_);
+}
+
+SpringLaw Scene::law_of(const BodyOptions& body) const {
+  const auto own_or = [](double own, double common) { return own > 0.0 ? own : common; };
+  return {own_or(body.stiffness, options_.stiffness), options_.cutoff, own_or(body.damping, options_.damping),
+          body.friction < 0.0 ? 0.0 : own_or(body.friction, options_.friction)};
 }
 
 }  // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/body_table.h"
+#include "engine/scene/spring_forces.h"
 
 namespace palpate {
 
@@ -11,6 +12,11 @@ struct SceneOptions {
   std::size_t max_overlaps = 1024;
   SearchMode mode = SearchMode::kCertified;
   unsigned global_every = 10;  // steps, positive
+  double damping = 0.0;        // N·s/m along a spring while it closes
+  double stiffness_cap = 0.0;  // N/m of all springs together in any direction; 0: none
+  double friction = 0.0;       // Coulomb's coefficient
+  double fade_time = 0.0;      // seconds
+  double time_step = 0.001;    // seconds from one step to the next, positive
 };
 
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
@@ -21,7 +27,9 @@ class Scene {
 
   void set_cutoff(double cutoff) { options_.cutoff = cutoff; }
   void set_stiffness(double stiffness) { options_.stiffness = stiffness; }
-
+  void set_damping(double damping) { options_.damping = damping; }
+  void set_stiffness_cap(double cap) { options_.stiffness_cap = cap; }
+  void set_friction(double friction) { options_.friction = friction; }
   void set_mode(SearchMode mode) { options_.mode = mode; }
 
   // Errors: kInvalidArgument (a second tool), kLimit.
@@ -37,11 +45,13 @@ class Scene {
  private:
   void forget_searches();
   void touch(BodyId id, Body& body, const Body& tool);
+  SpringLaw law_of(const BodyOptions& body) const;
 
   SceneOptions options_;
   BodyTable bodies_;
   BodyId tool_ = 0;
   LmdSearch search_;
+  SpringForces forces_;
   Contacts contacts_;
   Contacts next_;
 };

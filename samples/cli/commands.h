@@ -23,8 +23,11 @@ struct RunArguments {
   std::string a;
   std::string b;
   std::string trajectory;
-  double cutoff = 0.0;        // metres
-  double stiffness = 1000.0;  // N/m
+  double cutoff = 0.0;         // metres
+  double stiffness = 1000.0;   // N/m
+  double damping = 0.0;        // N·s/m
+  double friction = 0.0;       // Coulomb's coefficient
+  double stiffness_cap = 0.0;  // N/m; 0: none
   std::string mode = "global";
   std::string law = "springs";
   unsigned global_every = 10;  // ticks, while descending

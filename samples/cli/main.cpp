@@ -53,6 +53,17 @@ void add_run(CLI::App& app, RunArguments& arguments) {
       ->add_option("--global-every", arguments.global_every,
                    "While descending, ticks from one search to the next")
       ->capture_default_str();
+  command->add_option("--damping", arguments.damping, "N·s/m that a spring adds while it closes")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--friction", arguments.friction, "Coulomb's coefficient")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--stiffness-cap", arguments.stiffness_cap,
+                   "N/m that all springs together do not exceed; 0 for no cap")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--law", arguments.law, "springs")->capture_default_str();
   command->add_option("--out", arguments.out, "Write a CSV row for each tick");
   command->add_flag("--json", arguments.json, "Print the summary as JSON");

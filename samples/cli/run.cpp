@@ -33,6 +33,9 @@ class Stage {
     plp_scene_options_init(&options);
     options.cutoff = arguments.cutoff;
     options.stiffness = arguments.stiffness;
+    options.damping = arguments.damping;
+    options.friction = arguments.friction;
+    options.stiffness_cap = arguments.stiffness_cap;
     options.mode = mode_of(arguments.mode);
     options.global_every = arguments.global_every;
     check(plp_scene_create(&options, scene_.receive()));
@@ -50,8 +53,9 @@ class Stage {
     plp_contacts_init(&contacts);
     check(plp_scene_get_contacts(scene_.get(), &contacts));
     const plp_work& work = contacts.work;
-    return {at.seconds,   contacts.set_count, contacts.min_distance, contacts.wrench,
-            took.count(), work.global_us,     work.triangle_pairs,   work.age};
+    return {at.seconds,          contacts.set_count, contacts.min_distance,
+            contacts.wrench,     took.count(),       work.global_us,
+            work.triangle_pairs, work.age,           contacts.overlap != 0};
   }
 
  private:
@@ -81,6 +85,7 @@ void print_json(const RunSummary& summary) {
   json.open_object()
       .field("ticks", summary.ticks)
       .field("ticks_in_contact", summary.ticks_in_contact)
+      .field("ticks_overlapping", summary.ticks_overlapping)
       .field("most_lmds", summary.most_lmds);
   json.key("local_us")
       .open_object()
@@ -94,8 +99,8 @@ void print_json(const RunSummary& summary) {
 }
 
 void print_summary(const RunSummary& summary) {
-  std::printf("%zu ticks, %zu of them in contact, at most %zu local minimum distances\n", summary.ticks,
-              summary.ticks_in_contact, summary.most_lmds);
+  std::printf("%zu ticks, %zu of them in contact, %zu overlapping, at most %zu local minimum distances\n",
+              summary.ticks, summary.ticks_in_contact, summary.ticks_overlapping, summary.most_lmds);
   std::printf("a tick took p50 %.1f, p99 %.1f, p99.9 %.1f, max %.1f us\n", summary.local_us_p50,
               summary.local_us_p99, summary.local_us_p999, summary.local_us_max);
 }

@@ -35,6 +35,7 @@ RunSummary summary_of(const std::vector<Tick>& ticks) {
   std::vector<double> local_us;
   for (const Tick& tick : ticks) {
     summary.ticks_in_contact += tick.lmds > 0;
+    summary.ticks_overlapping += tick.overlap;
     summary.most_lmds = std::max(summary.most_lmds, tick.lmds);
     local_us.push_back(tick.local_us);
   }

@@ -19,6 +19,7 @@ struct Tick {
   double global_us;     // the search from scratch; 0 where none ran
   std::uint64_t pairs;  // of triangles tested
   std::uint64_t age_ticks;
+  bool overlap;
 };
 
 void write_csv(const std::vector<Tick>& ticks, std::ostream& out);
@@ -27,6 +28,7 @@ void write_csv(const std::vector<Tick>& ticks, std::ostream& out);
 struct RunSummary {
   std::size_t ticks = 0;
   std::size_t ticks_in_contact = 0;
+  std::size_t ticks_overlapping = 0;
   std::size_t most_lmds = 0;
   double local_us_p50 = 0.0;
   double local_us_p99 = 0.0;

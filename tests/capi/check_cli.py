@@ -105,6 +105,21 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(float(ticks[1]["global_us"]), 0.0, "nothing moved, so nothing is searched")
         self.assertEqual(float(ticks[2]["min_distance"]), float("inf"))
 
+    def test_run_with_damping_friction_and_cap(self):
+        poses = self.write("press.csv", "t,px,py,pz,qx,qy,qz,qw\n0,1.102,-0.002,0,0,0,0,1\n0.001,1.1,0,0,0,0,0,1\n"
+                                        "0.002,0.99,0,0,0,0,0,1\n")
+        out = str(Path(self.folder.name) / "pressed.csv")
+        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                         "--damping", "30", "--friction", "0.1", "--stiffness-cap", "400",
+                                         "--out", out, "--json"))
+        self.assertEqual(summary["ticks_overlapping"], 1)
+        with open(out, newline="") as file:
+            pressed = list(csv.DictReader(file))[1]
+        self.assertAlmostEqual(float(pressed["fx"]), 40 + 60, delta=1e-6)
+        self.assertAlmostEqual(float(pressed["fy"]), -10, delta=1e-6)
+        self.assertIn("--friction", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                                   "--friction", "-1"))
+
     def test_run_in_every_mode(self):
         rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},{1.15 - 0.001 * i},0.01,0,0,0,{0.001 * i},1" for i in range(40)]
         poses = self.write("motion.csv", "\n".join(rows))

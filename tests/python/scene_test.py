@@ -68,6 +68,37 @@ class SceneTest(unittest.TestCase):
         self.scene.add(box(), kind="moving", stiffness=10.0)
         self.assertAlmostEqual(self.scene.step().wrench.force[0], 10 * (0.2 - 0.1), delta=1e-9)
 
+    def test_damping_friction_and_cap(self):
+        scene = palpate.Scene(0.2, damping=30.0, friction=0.1, stiffness_cap=400.0)
+        scene.add(box())
+        tool = scene.add(box(), beside(1.102, -0.002), "tool")
+        self.assertEqual((scene.damping, scene.friction, scene.stiffness_cap), (30.0, 0.1, 400.0))
+        scene.step()
+        tool.pose = beside(1.1)
+        contacts = scene.step()
+        pressed = 0.4 * 1000 * 0.1 + 30 * 0.002 / 0.001
+        self.assertAlmostEqual(contacts.wrench.force[0], pressed, delta=1e-6)
+        self.assertAlmostEqual(contacts.wrench.force[1], -0.1 * pressed, delta=1e-6)
+        self.assertAlmostEqual(sum(spring["force"][0] for spring in contacts.springs), pressed, delta=1e-6)
+        self.assertFalse(contacts.walled)
+        scene.damping = scene.friction = scene.stiffness_cap = 0.0
+        tool.pose = beside(1.09)
+        self.assertAlmostEqual(scene.step().wrench.force[0], 110, delta=1e-6)
+        for name in ("damping", "friction", "stiffness_cap"):
+            with self.assertRaises(palpate.InvalidArgument):
+                setattr(scene, name, -1.0)
+            self.assertEqual(getattr(scene, name), 0.0)
+
+    def test_a_body_has_its_own_material(self):
+        self.wall.remove()
+        self.scene.add(box(), damping=10.0, friction=-1.0)
+        self.scene.friction = 0.5
+        self.scene.step()
+        self.tool.pose = beside(1.095, 0.001)
+        force = self.scene.step().wrench.force
+        self.assertAlmostEqual(force[0], 105 + 10 * 0.005 / 0.001, delta=1e-6)
+        self.assertAlmostEqual(force[1], 0, delta=1e-9)
+
     def test_a_removed_body_is_gone(self):
         self.wall.remove()
         self.assertEqual(self.scene.step().set_count, 0)

@@ -437,9 +437,22 @@ typedef struct plp_scene_options {
   double stiffness;      /**< N/m, not negative */
   int32_t mode;          /**< plp_mode */
   uint32_t global_every; /**< PLP_MODE_DESCENT: steps from one search to the next; 0 for 10 */
+  double damping; /**< N·s/m, not negative: what a spring of weight 1 adds to its push while it closes. As
+                     a device samples, this stays passive up to about m / (2 time_step), m the mass that
+                     the hand holds; from stiffness × time_step on it makes up for the energy that
+                     holding the force from step to step gives. */
+  double stiffness_cap; /**< N/m, not negative: forces are scaled down where all springs together would be
+                           stiffer in some direction; 0 for none */
+  double friction;  /**< Coulomb's coefficient, not negative. Below a slip of 5 mm/s, or where it would damp
+                       more  than 20 N·s/m for a spring of weight 1, it is proportional to the slip. */
+  double fade_time; /**< PLP_MODE_DESCENT: seconds in which a spring fades that is lost, or found late, nearer
+                       than the cutoff; every mode: that hands over from a wall. 0: at once */
+  double time_step; /**< seconds from one plp_scene_step to the next, for velocities, within 1e-6 and
+                       1; 0 for 0.001 */
 } plp_scene_options;
 
-/** @brief Fills `options`: Palpate's space, no cutoff yet, 1000 N/m, up to 1024 overlaps.
+/** @brief Fills `options`: Palpate's space, no cutoff yet, 1000 N/m without damping, friction or cap, fading
+ * in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options);
 
@@ -467,6 +480,8 @@ typedef struct plp_body_options {
   plp_pose pose;    /**< of the model's frame in the scene's space; a mirrored space mirrors the model, too */
   double stiffness; /**< N/m against the tool; 0: the scene's */
   double reference_point[3]; /**< of the tool, its own frame, scene units: torques are about it */
+  double damping;            /**< N·s/m against the tool; 0: the scene's */
+  double friction;           /**< coefficient against the tool; 0: the scene's, negative: none */
 } plp_body_options;
 
 /** @brief Fills `options`: static, identity pose, the scene's stiffness. @threadsafety any @since 0.1 */
@@ -499,6 +514,18 @@ PLP_API plp_result plp_scene_set_mode(plp_scene scene, int32_t mode);
 /** @brief Sets the stiffness (N/m, not negative). @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
  *  @threadsafety object @since 0.1 */
 PLP_API plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness);
+
+/** @brief Sets the damping of closing springs (N·s/m, not negative). @return PLP_ERROR_INVALID_HANDLE or
+ *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+PLP_API plp_result plp_scene_set_damping(plp_scene scene, double damping);
+
+/** @brief Sets the bound on the stiffness of all springs together (N/m; 0: none). @return
+ *  PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+PLP_API plp_result plp_scene_set_stiffness_cap(plp_scene scene, double stiffness_cap);
+
+/** @brief Sets the coefficient of friction (not negative). @return PLP_ERROR_INVALID_HANDLE or
+ *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+PLP_API plp_result plp_scene_set_friction(plp_scene scene, double friction);
 
 /**
  * @brief Searches the tool against every other body that is near and computes the wrench on the tool about

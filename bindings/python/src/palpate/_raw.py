@@ -216,6 +216,11 @@ class plp_scene_options(Structure):
         ("stiffness", c_double),
         ("mode", c_int32),
         ("global_every", c_uint32),
+        ("damping", c_double),
+        ("stiffness_cap", c_double),
+        ("friction", c_double),
+        ("fade_time", c_double),
+        ("time_step", c_double),
     ]
 
 
@@ -227,6 +232,8 @@ class plp_body_options(Structure):
         ("pose", plp_pose),
         ("stiffness", c_double),
         ("reference_point", c_double * 3),
+        ("damping", c_double),
+        ("friction", c_double),
     ]
 
 
@@ -285,5 +292,8 @@ plp_scene_get_pose = _function("plp_scene_get_pose", _result, _handle, _body, PO
 plp_scene_set_cutoff = _function("plp_scene_set_cutoff", _result, _handle, c_double)
 plp_scene_set_mode = _function("plp_scene_set_mode", _result, _handle, c_int32)
 plp_scene_set_stiffness = _function("plp_scene_set_stiffness", _result, _handle, c_double)
+plp_scene_set_damping = _function("plp_scene_set_damping", _result, _handle, c_double)
+plp_scene_set_stiffness_cap = _function("plp_scene_set_stiffness_cap", _result, _handle, c_double)
+plp_scene_set_friction = _function("plp_scene_set_friction", _result, _handle, c_double)
 plp_scene_step = _function("plp_scene_step", _result, _handle)
 plp_scene_get_contacts = _function("plp_scene_get_contacts", _result, _handle, POINTER(plp_contacts))

@@ -85,6 +85,12 @@ class Contacts:
         return bool(self._struct.overlap)
 
     @property
+    def walled(self) -> bool:
+        """Whether walls hold the tool where surfaces overlap: they are among `springs`, with a distance below 0 while
+        they are pressed in."""
+        return bool(self._struct.status & _raw.PLP_STATUS_WALL)
+
+    @property
     def overlaps_cut(self) -> bool:
         """Whether more pairs overlap than are listed."""
         return bool(self._struct.overlaps_cut)

@@ -60,10 +60,15 @@ class Scene(Closing):
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
                  mode: Mode = "certified",
-                 global_every: int = 10, max_overlaps: int = 1024) -> None:
+                 global_every: int = 10, max_overlaps: int = 1024, damping: float = 0.0, stiffness_cap: float = 0.0,
+                 friction: float = 0.0, fade_time: float = 0.02, time_step: float = 0.001) -> None:
         """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own.
         `mode`: "global" searches from scratch in every step; "certified" keeps the complete set up to date; "descent"
-        follows what a search found, repeated after `global_every` steps, and learns of new contacts late."""
+        follows what a search found, repeated after `global_every` steps, and learns of new contacts late.
+        `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap` in N/m: all springs together are no
+        stiffer in any direction; 0 for no cap. `friction`: Coulomb's coefficient. `fade_time`: seconds in which a
+        spring fades that "descent" loses or finds late, or that hands over from a wall. `time_step`: seconds from
+        one step to the next, for velocities."""
         options = _raw.plp_scene_options()
         _raw.plp_scene_options_init(options)
         options.cutoff = cutoff
@@ -71,12 +76,20 @@ class Scene(Closing):
         options.max_overlaps = uint32(max_overlaps, "max_overlaps")
         options.mode = _mode(mode)
         options.global_every = uint32(global_every, "global_every")
+        options.damping = damping
+        options.stiffness_cap = stiffness_cap
+        options.friction = friction
+        options.fade_time = fade_time
+        options.time_step = time_step
         if space is not None:
             options.space = space_struct(space)
         super().__init__(create(_raw.plp_scene_create, _raw.plp_scene_release, options))
         self._cutoff = options.cutoff
         self._stiffness = options.stiffness
         self._mode: Mode = mode
+        self._damping = options.damping
+        self._stiffness_cap = options.stiffness_cap
+        self._friction = options.friction
 
     @property
     def mode(self) -> Mode:
@@ -106,10 +119,41 @@ class Scene(Closing):
         check(_raw.plp_scene_set_stiffness(self._handle, stiffness))
         self._stiffness = stiffness
 
+    @property
+    def damping(self) -> float:
+        """N·s/m of a closing spring, of bodies that have none of their own."""
+        return float(self._damping)
+
+    @damping.setter
+    def damping(self, damping: float) -> None:
+        check(_raw.plp_scene_set_damping(self._handle, damping))
+        self._damping = damping
+
+    @property
+    def stiffness_cap(self) -> float:
+        """N/m that all springs together do not exceed in any direction; 0: no cap."""
+        return float(self._stiffness_cap)
+
+    @stiffness_cap.setter
+    def stiffness_cap(self, stiffness_cap: float) -> None:
+        check(_raw.plp_scene_set_stiffness_cap(self._handle, stiffness_cap))
+        self._stiffness_cap = stiffness_cap
+
+    @property
+    def friction(self) -> float:
+        """Coulomb's coefficient of bodies that have none of their own."""
+        return float(self._friction)
+
+    @friction.setter
+    def friction(self, friction: float) -> None:
+        check(_raw.plp_scene_set_friction(self._handle, friction))
+        self._friction = friction
+
     def add(self, model: Model, pose: PoseLike = Pose(), kind: Kind = "static", stiffness: float | None = None,
-            reference_point: Iterable[float] = (0.0, 0.0, 0.0)) -> Body:
+            reference_point: Iterable[float] = (0.0, 0.0, 0.0), *, damping: float | None = None,
+            friction: float | None = None) -> Body:
         """Adds a body; the scene keeps the model. `stiffness` against the tool in N/m; None or 0: the scene's.
-        `reference_point` is the tool's, in its own frame and the scene's units: torques are about it."""
+        `damping` in N·s/m and `friction` likewise; a negative friction is none. `reference_point` is the tool's, in its own frame and the scene's units: torques are about it."""
         if kind not in _KINDS:
             raise InvalidArgument(f"kind is {kind!r}, which is none of {', '.join(_KINDS)}")
         options = _raw.plp_body_options()
@@ -118,6 +162,8 @@ class Scene(Closing):
         options.model = model._handle
         options.pose = pose_struct(pose)
         options.stiffness = stiffness or 0.0
+        options.damping = damping or 0.0
+        options.friction = friction or 0.0
         options.reference_point = doubles(reference_point, 3, "reference_point")
         body = c_uint64()
         check(_raw.plp_scene_add_body(self._handle, options, byref(body)))

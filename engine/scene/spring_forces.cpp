@@ -1,0 +1,44 @@
+#include "engine/scene/spring_forces.h"
+
+#include "engine/contact/damping.h"
+#include "engine/contact/friction.h"
+
+namespace palpate {
+namespace {
+
+SpringContact spring_of(const Contact& contact) {
+  return {contact.point_b, contact.normal, contact.distance, contact.weight};
+}
+
+}  // namespace
+
+void SpringForces::clear() {
+  pushes_.clear();
+  cap_.clear();
+}
+
+void SpringForces::add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,
+                       Contacts& contacts) {
+  for (const PairSpring& spring : springs) {
+    const Contact contact = contact_of(spring.at, pair, first_set);
+    contacts.springs.push_back(contact);
+    pushes_.push_back({pair.world_from_body.rotation * spring.velocity, pair.law});
+    cap_.add(spring_of(contact), pair.law);
+  }
+}
+
+void SpringForces::finish(double stiffness_cap, const DVec3& reference, Contacts& contacts) {
+  const double scale = cap_.scale(stiffness_cap);
+  for (std::size_t i = 0; i < pushes_.size(); ++i) {
+    Contact& contact = contacts.springs[i];
+    const auto& [velocity, law] = pushes_[i];
+    const double speed = glm::dot(velocity, contact.normal);
+    contact.force *= scale;
+    contact.force += damping_force(spring_of(contact), -speed, law) * contact.normal;
+    contact.force += friction_force(glm::dot(contact.force, contact.normal), contact.weight,
+                                    velocity - speed * contact.normal, law.friction);
+    contacts.wrench += wrench_about(reference, contact.point_b, contact.force);
+  }
+}
+
+}  // namespace palpate
