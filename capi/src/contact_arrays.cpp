@@ -65,6 +65,7 @@ void ContactArrays::assign(const Contacts& contacts, const Space& space) {
   shown_.work = work_of(contacts.work);
   shown_.springs = springs_.data();
   shown_.spring_count = springs_.size();
+  shown_.status = contacts.walled ? std::uint32_t{PLP_STATUS_WALL} : 0u;
 }
 
 void ContactArrays::clear() {

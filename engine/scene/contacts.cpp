@@ -57,6 +57,7 @@ void Contacts::clear() {
   overlaps.clear();
   overlap = false;
   overlaps_cut = false;
+  walled = false;
   min_distance = std::numeric_limits<double>::infinity();
   wrench = {};
   work = {};

@@ -14,6 +14,9 @@ namespace palpate {
 
 using BodyId = std::uint64_t;  // 0: none
 
+// The set of a spring that is no LMD of this moment.
+inline constexpr std::uint32_t kNoSet = 0xffffffffu;
+
 // A place on a model in the terms of its input.
 struct SurfacePlace {
   FeatureKind kind;
@@ -61,6 +64,7 @@ struct Contacts {
   std::vector<BodyOverlap> overlaps;
   bool overlap = false;
   bool overlaps_cut = false;  // more overlap than are listed
+  bool walled = false;        // walls hold the tool where surfaces overlap
   double min_distance = std::numeric_limits<double>::infinity();
   Wrench wrench;  // of the springs on the tool about its reference point
   ContactWork work;

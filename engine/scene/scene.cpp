@@ -75,7 +75,10 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
       body.mesh(), tool.mesh(), id, tool_, body.pose(), law_of(body.options()), options_.max_overlaps};
   const std::uint32_t first_set = next_.set_count;
   append_contacts(pair.found(), contacts, next_);
-  body.springs.update(pair.found().lmds, {situation.body_from_tool, options_.cutoff, options_.time_step});
+  body.springs.update(pair.found().lmds,
+                      {situation.body_from_tool, options_.cutoff, options_.time_step, options_.fade_time,
+                       pair.found().overlapping(), options_.mode == SearchMode::kDescent});
+  next_.walled |= body.springs.is_walled();
   forces_.add(body.springs.list(), contacts, first_set, next_);
 }
 

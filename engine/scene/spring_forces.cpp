@@ -20,7 +20,8 @@ void SpringForces::clear() {
 void SpringForces::add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,
                        Contacts& contacts) {
   for (const PairSpring& spring : springs) {
-    const Contact contact = contact_of(spring.at, pair, first_set);
+    Contact contact = contact_of(spring.at, pair, first_set);
+    if (spring.is_held) contact.set = kNoSet;
     contacts.springs.push_back(contact);
     pushes_.push_back({pair.world_from_body.rotation * spring.velocity, pair.law});
     cap_.add(spring_of(contact), pair.law);

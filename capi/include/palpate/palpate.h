@@ -302,13 +302,14 @@ typedef struct plp_lmd {
   double point_a[3]; /**< on the first model, or on the scene */
   double point_b[3]; /**< on the second model, or on the tool */
   double normal[3];  /**< unit vector from point_a to point_b */
-  double distance;
+  double distance;   /**< along the normal: of a wall negative while the tool is pressed in */
   double weight;     /**< of this point in its set: the weights of one set sum to 1 */
   double force[3];   /**< newtons, on the second model or on the tool, at point_b: stiffness × (cutoff −
                         distance) × weight along the normal; in plp_contacts::springs all that it pushes with */
   plp_body body_a;   /**< 0 from plp_query */
   plp_body body_b;   /**< 0 from plp_query */
-  uint32_t set;      /**< points of one plateau share it; 0, 1, … in order */
+  uint32_t set; /**< points of one plateau share it; 0, 1, … in order. UINT32_MAX in plp_contacts::springs: a
+                   wall, or a spring that fades */
   uint8_t feature_a; /**< plp_feature */
   uint8_t feature_b; /**< plp_feature */
   uint8_t corner_a; /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k
