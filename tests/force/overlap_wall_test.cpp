@@ -177,6 +177,92 @@ TEST_P(WallInAWedge, HoldsBothWays) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, WallInAWedge, testing::ValuesIn(kModes));
 
+// Right through a sheet that is thinner than the cutoff: what was a wall fades behind it.
+TEST(WallInASheet, EndsBehindIt) {
+  for (const SearchMode mode : kModes) {
+    const DMat3 rotation = on_a_corner();
+    const auto at_depth = [&](double depth) {
+      return raised(-depth - lowest_corner(rotation, 0.02), rotation);
+    };
+    PressedScene pressed(box_model({0.4, 0.4, 0.004}), small_box(), at_depth(-0.014),
+                         PressedScene::options_with(mode));
+    double before = 0.0, most = 0.0;
+    for (double depth = -0.014; depth < 0.1; depth += kStep) {
+      const double force = pressed.step_to(at_depth(depth)).wrench.force.z;
+      EXPECT_LE(std::abs(force - before), kStiffness * (kStep + 2.0 * 2.0 * kCutoff * 0.05) + 1e-6)
+          << "motion, and a twentieth of what fades and of what comes, at depth " << depth;
+      before = force;
+      most = std::max(most, force);
+    }
+    EXPECT_NEAR(most, 2.0 * kStiffness * kCutoff, 1e-6);
+    EXPECT_FALSE(pressed.scene().contacts().walled);
+    EXPECT_EQ(pressed.scene().contacts().wrench.force, DVec3(0.0));
+  }
+}
+
+// Two bars across each other: edge on edge.
+class WallOnAnEdge : public testing::TestWithParam<SearchMode> {};
+
+TEST_P(WallOnAnEdge, PushesByTheDepthAndReturns) {
+  const double diagonal = std::sqrt(0.5);
+  const DMat3 ridge = glm::mat3_cast(DQuat(std::cos(M_PI / 8), std::sin(M_PI / 8), 0.0, 0.0));   // along x
+  const DMat3 across = glm::mat3_cast(DQuat(std::cos(M_PI / 8), 0.0, std::sin(M_PI / 8), 0.0));  // along y
+  TriangleSoup bar = shapes::box({0.3, 0.04, 0.04});
+  for (DVec3& position : bar.positions) position = ridge * position;
+  const auto at_depth = [&](double depth) {
+    return Pose{across, {0.003, 0.007, 2 * 0.04 * diagonal - depth}};
+  };
+  PressedScene pressed(make_model(bar), box_model({0.04, 0.3, 0.04}), at_depth(-0.012),
+                       PressedScene::options_with(GetParam()));
+  int walled = 0;
+  for (int i = 0; i <= 360; ++i) {
+    const double depth = -0.012 + 1.0003 * kStep * std::min(i, 360 - i);
+    const Contacts& contacts = pressed.step_to(at_depth(depth));
+    EXPECT_NEAR(contacts.wrench.force.z, kStiffness * std::max(0.0, kCutoff + depth), 1e-5)
+        << "depth " << depth;
+    walled += contacts.walled;
+  }
+  EXPECT_GT(walled, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, WallOnAnEdge, testing::ValuesIn(kModes));
+
+// Energy that a hand gets back from going in, along and out: the wall of a plane is a spring, and damping and
+// friction only take.
+TEST(WallAndEnergy, AClosedCycleGivesNothing) {
+  const DMat3 rotation = on_a_corner();
+  for (const bool lossy : {false, true}) {
+    SceneOptions options = PressedScene::options_with(SearchMode::kCertified);
+    options.damping = lossy ? 2.0 : 0.0;
+    options.friction = lossy ? 0.3 : 0.0;
+    const auto at_phase = [&](int i) {
+      const double angle = 2.0 * M_PI * i / 1000.0;
+      Pose pose = raised(0.002 + 0.006 * std::cos(angle) - lowest_corner(rotation, 0.02), rotation);
+      pose.translation.x += 0.02 * std::sin(angle);
+      return pose;
+    };
+    PressedScene pressed(plate(), small_box(), at_phase(0), options);
+    double energy = 0.0;
+    DVec3 force_before = pressed.step_to(at_phase(0)).wrench.force;
+    int walled = 0;
+    for (int i = 1; i <= 3000; ++i) {
+      const Contacts& contacts = pressed.step_to(at_phase(i));
+      const DVec3 moved = at_phase(i).translation - at_phase(i - 1).translation;
+      energy += 0.5 * glm::dot(contacts.wrench.force + force_before, moved);
+      force_before = contacts.wrench.force;
+      walled += contacts.walled;
+    }
+    std::printf("energy of three cycles into a plate and along: %.2e J%s\n", energy,
+                lossy ? " with damping and friction" : "");
+    EXPECT_GT(walled, 500);
+    if (lossy) {
+      EXPECT_LT(energy, -1e-3);
+    } else {
+      EXPECT_NEAR(energy, 0.0, 1e-9);
+    }
+  }
+}
+
 // A ball in a hollow one, whose inside is concave.
 TEST(WallInABowl, HasNoKickAtTheSurface) {
   TriangleSoup bowl = shapes::icosphere(0.1, 8), inside = shapes::icosphere(0.08, 8);

@@ -349,8 +349,8 @@ typedef enum plp_status {
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
 typedef struct plp_contacts {
   uint32_t struct_size;
-  int32_t overlap; /**< 1: surfaces touch or cross, where no spring pushes; 0 also if one body is inside
-                      another */
+  int32_t overlap; /**< 1: surfaces touch or cross, where nothing pushes but walls, if the tool came from
+                      outside; 0 also if one body is inside another */
   const plp_lmd* lmds;
   size_t lmd_count;
   size_t lmd_stride; /**< bytes from one to the next: may be more than sizeof(plp_lmd) of this header */
