@@ -119,6 +119,25 @@ TEST_F(MaterialTest, CapBoundsAllSpringsTogether) {
   EXPECT_NEAR(squeezed.wrench.force[0], 0.5 * 1.001 * 1000.0 * 0.02, 1e-6);
 }
 
+TEST_F(MaterialTest, OverlapsAreHeldByWalls) {
+  TestScene scene(options());
+  scene.add(box_.handle, PLP_BODY_STATIC, at(0, 0, 0));
+  const plp_body tool = scene.add(box_.handle, PLP_BODY_TOOL, at(1.01, 0.1, 0.1));
+  scene.step();
+  const plp_contacts contacts = step_to(scene, tool, at(0.99, 0.1, 0.1));
+  EXPECT_EQ(contacts.overlap, 1);
+  EXPECT_EQ(contacts.status, std::uint32_t{PLP_STATUS_WALL});
+  ASSERT_GT(contacts.spring_count, 0u);
+  for (std::size_t i = 0; i < contacts.spring_count; ++i) {
+    EXPECT_EQ(contacts.springs[i].set, UINT32_MAX);
+    EXPECT_NEAR(contacts.springs[i].distance, -0.01, 1e-6);
+  }
+  EXPECT_NEAR(contacts.wrench.force[0], kStiffness * (kCutoff + 0.01), 1e-3);
+  const plp_contacts outside = step_to(scene, tool, at(1.01, 0.1, 0.1));
+  EXPECT_EQ(outside.status, 0u);
+  EXPECT_NEAR(outside.wrench.force[0], kStiffness * (kCutoff - 0.01), 1e-3);
+}
+
 TEST_F(MaterialTest, SettersTakeEffect) {
   TestScene scene(options());
   scene.add(box_.handle, PLP_BODY_STATIC, at(0, 0, 0));

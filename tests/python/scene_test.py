@@ -99,6 +99,15 @@ class SceneTest(unittest.TestCase):
         self.assertAlmostEqual(force[0], 105 + 10 * 0.005 / 0.001, delta=1e-6)
         self.assertAlmostEqual(force[1], 0, delta=1e-9)
 
+    def test_a_wall_holds_the_tool_inside(self):
+        self.tool.pose = beside(1.01)
+        self.assertFalse(self.scene.step().walled)
+        self.tool.pose = beside(0.99)
+        contacts = self.scene.step()
+        self.assertTrue(contacts.overlap and contacts.walled)
+        self.assertAlmostEqual(contacts.wrench.force[0], 1000 * (0.2 + 0.01), delta=1e-3)
+        self.assertAlmostEqual(sum(spring["weight"] for spring in contacts.springs), 1, delta=1e-9)
+
     def test_a_removed_body_is_gone(self):
         self.wall.remove()
         self.assertEqual(self.scene.step().set_count, 0)
