@@ -15,11 +15,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 4;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kTicks = 60;
-#else
 constexpr int kTicks = 400;
-#endif
 
 // The largest step of the force over a motion, relative to stiffness × cutoff.
 double largest_step(const std::shared_ptr<const Model>& body, const std::shared_ptr<const Model>& tool,
