@@ -23,7 +23,7 @@ def _escaped(text):
 
 def _exception(code):
     name = _class_name(code)
-    summary = f"{code.name}: {_escaped(code.doc)}" if code.doc else code.name
+    summary = f"{code.name}: {_escaped(code.doc.rstrip('.'))}" if code.doc else code.name
     return (f"    /// <summary>{summary}.</summary>\n"
             f"    public sealed class {name} : PalpateException\n    {{\n"
             f"        internal {name}(string message) : base(Raw.{code.name}, message)\n        {{\n        }}\n    }}\n")

@@ -56,10 +56,15 @@ def identifier(name):
     return f"@{name}" if name in KEYWORDS else name
 
 
+def _constant(constant):
+    if not -2**31 <= constant.value < 2**31:
+        raise Unsupported(f"{constant.name} is larger than an int")
+    return f"        public const int {constant.name} = {constant.value};\n"
+
+
 def _constants(interface):
     groups = [interface.macros, *(enum.values for enum in interface.enums)]
-    return "\n".join("".join(f"        public const int {value.name} = {value.value};\n" for value in group)
-                     for group in groups if group)
+    return "\n".join("".join(map(_constant, group)) for group in groups if group)
 
 
 def _field(field, names):

@@ -15,11 +15,11 @@ def _print(*words, value):
 
 
 def _struct(struct):
-    text = _print("sizeof", struct.name, value=f"sizeof({struct.name})")
+    text = _print("struct", struct.name, value=f"sizeof({struct.name})")
     for field in struct.fields:
         place = f"{struct.name} {field.name}"
-        text += _print("offsetof", place, value=f"offsetof({struct.name}, {field.name})")
-        text += _print("sizeof", place, value=f"sizeof((({struct.name}*)0)->{field.name})")
+        text += _print("offset", place, value=f"offsetof({struct.name}, {field.name})")
+        text += _print("size", place, value=f"sizeof((({struct.name}*)0)->{field.name})")
     return text
 
 
@@ -39,9 +39,9 @@ def _callback(callback):
 
 def emit(interface):
     lines = [_print("value", constant.name, value=constant.name) for constant in interface.constants()]
-    lines += [_print("sizeof", item.name, value=f"sizeof({item.name})")
-              for item in (*interface.handles, *interface.aliases)]
-    lines += [_print("sizeof", enum.name, value=f"sizeof({enum.name})") for enum in interface.enums if enum.name]
+    kinds = {"handle": interface.handles, "alias": interface.aliases,
+             "enum": [enum for enum in interface.enums if enum.name]}
+    lines += [_print(kind, item.name, value=f"sizeof({item.name})") for kind, items in kinds.items() for item in items]
     lines += map(_struct, interface.structs)
     lines += map(_callback, interface.callbacks)
     lines += map(_function, interface.functions)
