@@ -43,7 +43,7 @@ namespace Palpate
         public bool TryGetSpan(out ReadOnlySpan<T> span)
         {
             RequireCurrent();
-            bool packed = Count < 2 || stride == Marshal.SizeOf<T>();
+            bool packed = Count < 2 || stride == MemoryMarshal.AsBytes(new ReadOnlySpan<T>(first, 1)).Length;
             span = packed ? new ReadOnlySpan<T>(first, Count) : default(ReadOnlySpan<T>);
             return packed;
         }

@@ -14,8 +14,8 @@ namespace Palpate
         /// <summary>One of PLP_ERROR_*.</summary>
         public int Code { get; }
 
-        /// <summary>Throws what a negative result stands for.</summary>
-        internal static unsafe void Check(int result)
+        /// <summary>Throws what a negative result of a function of Raw stands for.</summary>
+        public static unsafe void Check(int result)
         {
             if (result >= 0)
             {
