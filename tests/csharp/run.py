@@ -84,8 +84,8 @@ def run_plain(arguments, *command, **changes):
 def mono(arguments):
     require("mono", "nunit-console")
     binding = compile_sources(arguments.folder / "Palpate.dll", sources(BINDING), "-target:library")
-    tests = compile_sources(arguments.folder / "tests.dll", sources(HERE / "src"), "-target:library", f"-r:{binding}",
-                            "-pkg:nunit")
+    tests = compile_sources(arguments.folder / "tests.dll", sources(HERE / "src", HERE / "domains"), "-target:library",
+                            f"-r:{binding}", "-pkg:nunit")
     report = arguments.folder / "report.xml"
     report.unlink(missing_ok=True)
     done = subprocess.run(["nunit-console", "-nologo", "-nodots", "-noshadow", "-domain:None", f"-result:{report}", tests],
