@@ -26,11 +26,13 @@ def _exception(code):
     summary = f"{code.name}: {_escaped(code.doc.rstrip('.'))}" if code.doc else code.name
     return (f"    /// <summary>{summary}.</summary>\n"
             f"    public sealed class {name} : PalpateException\n    {{\n"
-            f"        internal {name}(string message) : base(Raw.{code.name}, message)\n        {{\n        }}\n    }}\n")
+            f"        internal {name}(string message) : base(Raw.{code.name}, message)\n"
+            "        {\n        }\n    }\n")
 
 
 def _factory(codes):
-    cases = "".join(f"                case Raw.{code.name}: return new {_class_name(code)}(message);\n" for code in codes)
+    indent = " " * 16
+    cases = "".join(f"{indent}case Raw.{code.name}: return new {_class_name(code)}(message);\n" for code in codes)
     return ("    internal static class ExceptionOfCode\n    {\n"
             "        internal static PalpateException Make(int code, string message)\n        {\n"
             f"            switch (code)\n            {{\n{cases}"

@@ -1,5 +1,7 @@
 """The raw layer of the C# binding: P/Invoke declarations that need no marshalling."""
 
+from wrapping import wrapped
+
 NUMBERS = {"char": "byte", "int": "int", "int32_t": "int", "int64_t": "long", "uint8_t": "byte", "uint16_t": "ushort",
            "uint32_t": "uint", "uint64_t": "ulong", "size_t": "UIntPtr", "float": "float", "double": "double"}
 # What `fixed` may be an array of.
@@ -83,19 +85,19 @@ def _struct(struct, names):
 
 
 def _parameters(parameters, names):
-    return ", ".join(f"{names.of(parameter.type)} {identifier(parameter.name)}" for parameter in parameters)
+    return [f"{names.of(parameter.type)} {identifier(parameter.name)}" for parameter in parameters]
 
 
 def _callback(callback, names):
+    opening = f"        public delegate {names.of(callback.result)} {callback.name}("
     return ("        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]\n"
-            f"        public delegate {names.of(callback.result)} {callback.name}("
-            f"{_parameters(callback.parameters, names)});\n")
+            f"{wrapped(opening, _parameters(callback.parameters, names), ');')}\n")
 
 
 def _function(function, names):
+    opening = f"        public static extern {names.of(function.result)} {function.name}("
     return ("        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]\n"
-            f"        public static extern {names.of(function.result)} {function.name}("
-            f"{_parameters(function.parameters, names)});\n")
+            f"{wrapped(opening, _parameters(function.parameters, names), ');')}\n")
 
 
 def emit(interface):

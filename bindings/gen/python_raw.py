@@ -3,7 +3,8 @@
 import itertools
 import re
 
-WIDTH = 120
+from wrapping import WIDTH, wrapped
+
 NUMBERS = {"char": "c_char", "int": "c_int", "int32_t": "c_int32", "int64_t": "c_int64", "uint8_t": "c_uint8",
            "uint16_t": "c_uint16", "uint32_t": "c_uint32", "uint64_t": "c_uint64", "size_t": "c_size_t",
            "float": "c_float", "double": "c_double"}
@@ -62,19 +63,6 @@ class Names:
     @staticmethod
     def _pointer(name, pointers):
         return "POINTER(" * pointers + name + ")" * pointers
-
-
-def wrapped(opening, parts, closing):
-    """On as few lines as fit, aligned behind what opens."""
-    lines, line = [], opening
-    for index, part in enumerate(parts):
-        piece = part + ("," if index + 1 < len(parts) else closing)
-        space = "" if line == opening or not line.strip() else " "
-        if len(line + space + piece) > WIDTH:
-            lines.append(line)
-            line, space = " " * len(opening), ""
-        line += space + piece
-    return "\n".join([*lines, line])
 
 
 def _constants(interface):

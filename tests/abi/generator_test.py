@@ -172,7 +172,8 @@ class EmitterTest(unittest.TestCase):
 
     def test_layout(self):
         self.assert_holds(
-            layout_program.emit(self.interface), 'printf("offset plp_line points %lld\\n"', "offsetof(plp_line, points)",
+            layout_program.emit(self.interface),
+            'printf("offset plp_line points %lld\\n"', "offsetof(plp_line, points)",
             "plp_result (*f)(const plp_line*, plp_thing*) = plp_thing_create;")
 
 

@@ -88,8 +88,8 @@ def mono(arguments):
                             f"-r:{binding}", "-pkg:nunit")
     report = arguments.folder / "report.xml"
     report.unlink(missing_ok=True)
-    done = subprocess.run(["nunit-console", "-nologo", "-nodots", "-noshadow", "-domain:None", f"-result:{report}", tests],
-                          capture_output=True, text=True, env=environment(arguments), cwd=arguments.folder)
+    command = ["nunit-console", "-nologo", "-nodots", "-noshadow", "-domain:None", f"-result:{report}", tests]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment(arguments), cwd=arguments.folder)
     if not report.exists():
         raise Failed(done.stdout + done.stderr)
     cases = [case.get("result") for case in ElementTree.parse(report).getroot().iter("test-case")]

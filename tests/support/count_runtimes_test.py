@@ -20,7 +20,8 @@ class CountRuntimes(unittest.TestCase):
     def test_a_report_is_read(self):
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder, "tests.xml")
-            report.write_text("<testsuite><testcase name='a'><system-out>A: 1 passed, 0 failed\nx</system-out></testcase>"
+            report.write_text("<testsuite>"
+                              "<testcase name='a'><system-out>A: 1 passed, 0 failed\nx</system-out></testcase>"
                               "<testcase name='b'><system-out/></testcase></testsuite>")
             self.assertEqual(count_runtimes.outputs(report), ["A: 1 passed, 0 failed\nx", ""])
             self.assertEqual(count_runtimes.outputs(Path(folder, "none.xml")), [])

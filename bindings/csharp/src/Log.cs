@@ -22,8 +22,8 @@ namespace Palpate
         }
     }
 
-    /// <summary>The receiver of log messages. The library calls it on threads that are inside one of its functions, never
-    /// on a thread of its own.</summary>
+    /// <summary>The receiver of log messages. The library calls it on threads that are inside one of its functions,
+    /// never on a thread of its own.</summary>
     public static unsafe class Log
     {
         // Another thread may be inside the native callback while the receiver is exchanged, so that it must never be

@@ -54,7 +54,8 @@ namespace Palpate
 
         private bool HasFlag(int flag) => (Struct.flags & (uint)flag) != 0;
 
-        private void SetFlag(int flag, bool on) => Struct.flags = on ? Struct.flags | (uint)flag : Struct.flags & ~(uint)flag;
+        private void SetFlag(int flag, bool on) =>
+            Struct.flags = on ? Struct.flags | (uint)flag : Struct.flags & ~(uint)flag;
     }
 
     /// <summary>A triangle model: immutable, and shared between scenes and threads. Scenes keep what they use.</summary>
@@ -98,7 +99,7 @@ namespace Palpate
         /// <summary>From triangles: three numbers a vertex, three indices a triangle, counter-clockwise seen from
         /// outside; without indices every three vertices are a triangle. They are copied.</summary>
         /// <param name="space">Of the positions; null for Palpate's own. A mirrored one turns the winding.</param>
-        public static Model FromTriangles(ReadOnlySpan<float> positions, ReadOnlySpan<int> indices = default(ReadOnlySpan<int>),
+        public static Model FromTriangles(ReadOnlySpan<float> positions, ReadOnlySpan<int> indices = default,
                                           Space? space = null, ModelOptions options = null)
         {
             fixed (float* vertices = &MemoryMarshal.GetReference(positions))
@@ -108,7 +109,7 @@ namespace Palpate
         }
 
         /// <summary>The same from double precision.</summary>
-        public static Model FromTriangles(ReadOnlySpan<double> positions, ReadOnlySpan<int> indices = default(ReadOnlySpan<int>),
+        public static Model FromTriangles(ReadOnlySpan<double> positions, ReadOnlySpan<int> indices = default,
                                           Space? space = null, ModelOptions options = null)
         {
             fixed (double* vertices = &MemoryMarshal.GetReference(positions))

@@ -273,13 +273,15 @@ namespace Palpate
         public static extern int plp_model_load_file(byte* path, plp_model_options* options, IntPtr* model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern int plp_model_load_memory(void* data, UIntPtr size, byte* folder, plp_model_options* options, IntPtr* model);
+        public static extern int plp_model_load_memory(void* data, UIntPtr size, byte* folder,
+                                                       plp_model_options* options, IntPtr* model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void plp_triangles_init(plp_triangles* triangles);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern int plp_model_create_from_triangles(plp_triangles* triangles, plp_model_options* options, IntPtr* model);
+        public static extern int plp_model_create_from_triangles(plp_triangles* triangles, plp_model_options* options,
+                                                                 IntPtr* model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_model_retain(IntPtr model);
@@ -312,7 +314,8 @@ namespace Palpate
         public static extern void plp_query_options_init(plp_query_options* options);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern int plp_query(IntPtr a, IntPtr b, plp_pose* a_from_b, plp_query_options* options, IntPtr result);
+        public static extern int plp_query(IntPtr a, IntPtr b, plp_pose* a_from_b, plp_query_options* options,
+                                           IntPtr result);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_query_result_get(IntPtr result, plp_contacts* contacts);
