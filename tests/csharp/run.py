@@ -14,8 +14,10 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 BINDING = HERE.parents[1] / "bindings" / "csharp" / "src"
 COUNT = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
+# Compiled in earnest from the first call on, so that times mean something.
 RUNTIME_CONFIG = """{"runtimeOptions": {"tfm": "netcoreapp3.1",
-  "framework": {"name": "Microsoft.NETCore.App", "version": "3.1.0"}}}
+  "framework": {"name": "Microsoft.NETCore.App", "version": "3.1.0"},
+  "configProperties": {"System.Runtime.TieredCompilation": false}}}
 """
 # What the sources need of CoreCLR's class library.
 CORE_ASSEMBLIES = ("System.Private.CoreLib", "System.Runtime", "System.Runtime.Extensions", "System.Console",
@@ -56,9 +58,15 @@ def sources(*folders):
     return [path for folder in folders for path in sorted(folder.glob("*.cs"))]
 
 
+def compile_binding(folder, *options):
+    """With its documentation, so that a comment that is not well-formed is an error."""
+    return compile_sources(folder / "Palpate.dll", sources(BINDING), "-target:library", f"-doc:{folder / 'Palpate.xml'}",
+                           "-nowarn:1573,1591", *options)
+
+
 def compile_all(folder, *options):
     """The binding, and the tests as a program that runs them."""
-    binding = compile_sources(folder / "Palpate.dll", sources(BINDING), "-target:library", *options)
+    binding = compile_binding(folder, *options)
     return compile_sources(folder / "tests.exe", sources(HERE / "src", HERE / "plain"), f"-r:{binding}", *options)
 
 
@@ -83,7 +91,7 @@ def run_plain(arguments, *command, **changes):
 
 def mono(arguments):
     require("mono", "nunit-console")
-    binding = compile_sources(arguments.folder / "Palpate.dll", sources(BINDING), "-target:library")
+    binding = compile_binding(arguments.folder)
     tests = compile_sources(arguments.folder / "tests.dll", sources(HERE / "src", HERE / "domains"), "-target:library",
                             f"-r:{binding}", "-pkg:nunit")
     report = arguments.folder / "report.xml"
@@ -107,7 +115,8 @@ def core_folder(arguments):
     if not list(environment_folder.glob("lib/python3*/site-packages/dotnetcore2/bin/dotnet")):
         try:
             run(sys.executable, "-m", "venv", "--clear", environment_folder)
-            run(environment_folder / "bin" / "pip", "install", "--quiet", "--no-deps", CORE_PACKAGE)
+            run(environment_folder / "bin" / "pip", "install", "--quiet", "--no-deps", "--retries", "1",
+                CORE_PACKAGE)
         except Failed as error:
             raise Missing(f"{CORE_PACKAGE} cannot be had ({str(error).splitlines()[-1]})") from None
     folder, = environment_folder.glob("lib/python3*/site-packages/dotnetcore2/bin")

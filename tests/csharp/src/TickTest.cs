@@ -52,6 +52,27 @@ namespace Palpate.Tests
         }
 
         [Test]
+        public void QueriesAllocateNothing()
+        {
+            using (Model box = Samples.Box())
+            using (var result = new QueryResult())
+            {
+                var options = new QueryOptions { Cutoff = 0.2 };
+                double force = 0;
+                long before = 0;
+                for (int i = 0; i <= 1000; ++i)
+                {
+                    force += result.Search(box, box, new Pose(1.1, 0, 0), options).Wrench.Force.X;
+                    // What runs for the first time is compiled.
+                    before = i == 0 ? GC.GetAllocatedBytesForCurrentThread() : before;
+                }
+                long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+                Assert.AreEqual(0L, allocated);
+                Assert.AreEqual(100100, force, 1e-6);
+            }
+        }
+
+        [Test]
         public void AnAllocationWouldBeSeen()
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
