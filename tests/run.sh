@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every test, and runs them again under the address and undefined-behaviour
-# sanitizers. The last line is the sum of both: "N passed, N failed, N skipped".
+# sanitizers. Tests in other languages are counted for each runtime. The last line is the sum of what ctest ran in both:
+# "N passed, N failed, N skipped".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source tests/support/packages.sh
@@ -42,7 +43,8 @@ test_preset() {
   rm -f "$report"
   cmake --preset "$preset" -DPython3_EXECUTABLE="$python" &&
     cmake --build --preset "$preset" -j "$jobs" &&
-    ctest --preset "$preset" -j "$jobs" --no-tests=error --output-junit "$PWD/$report" "${ctest_arguments[@]}"
+    ctest --preset "$preset" -j "$jobs" --no-tests=error --test-output-size-passed 65536 \
+      --output-junit "$PWD/$report" "${ctest_arguments[@]}"
 }
 
 if ! install_missing "${palpate_build_packages[@]}" "${palpate_test_packages[@]}"; then
@@ -56,6 +58,7 @@ for preset in "${presets[@]}"; do
   echo "== $preset"
   reports+=("build/$preset/tests.xml")
   test_preset "$preset" || status=1
+  "$python" -B tests/support/count_runtimes.py "build/$preset/tests.xml"
 done
 
 # A preset that did not get as far as a report counts as one failure.

@@ -19,7 +19,11 @@ def main():
         print("skipped: numpy is not installed" if arguments.needs_numpy else "numpy is not installed: tested without")
         if arguments.needs_numpy:
             return
-    unittest.main(module=arguments.module, argv=["run.py"], verbosity=2)
+    result = unittest.main(module=arguments.module, argv=["run.py"], verbosity=2, exit=False).result
+    failed, skipped = len(result.failures) + len(result.errors), len(result.skipped)
+    flavour = "Python without numpy" if arguments.without_numpy else "Python"
+    print(f"{flavour}: {result.testsRun - failed - skipped} passed, {failed} failed")
+    sys.exit(not result.wasSuccessful())
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ An example is a code block of one language followed by a block of text that show
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -62,6 +63,19 @@ def python(arguments, readme, folder):
                           env=python_environment(arguments)), said)
 
 
+def csharp(arguments, readme, folder):
+    binding = sorted((arguments.root / "bindings" / "csharp" / "src").glob("*.cs"))
+    for code, said in examples(readme, "csharp"):
+        (folder / "Example.cs").write_text(code)
+        if not (shutil.which("mcs") and shutil.which("mono")):
+            print("C# of README.md: skipped: mcs or mono is not installed")
+            return
+        run(["mcs", "-langversion:7.2", "-unsafe", "-warnaserror", f"-out:{folder / 'example.exe'}", *binding,
+             folder / "Example.cs"])
+        expect_output(run(["mono", folder / "example.exe"], cwd=arguments.models,
+                          env=dict(os.environ, LD_LIBRARY_PATH=str(arguments.library.parent))), said)
+
+
 def commands(arguments, readme, folder):
     """The two commands stand in the first block, and their scripts are there."""
     first = FENCE.search(readme).group(2)
@@ -77,7 +91,7 @@ def links(arguments, readme, folder):
     assert not missing, f"README.md links to what is not there: {missing}"
 
 
-CHECKS = {check.__name__: check for check in (c, python, commands, links)}
+CHECKS = {check.__name__: check for check in (c, csharp, python, commands, links)}
 
 
 def main():

@@ -8,6 +8,7 @@ palpate_build_packages=(
 palpate_test_packages=(
   libgtest-dev clang-format-14 binutils make pkg-config
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
+  mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
 )
 
 missing_packages() {

@@ -1,4 +1,6 @@
-"""palpate.h as it is: its constants, structs and functions under their own names. Nothing is checked here."""
+"""palpate.h as it is: its constants, structs and functions under their own names. Nothing is checked here.
+
+Made from the header by bindings/gen/generate.py; do not edit."""
 
 from collections.abc import Callable
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint8, c_uint32,
@@ -6,6 +8,10 @@ from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_
 from typing import Any
 
 from ._library import load
+
+PLP_VERSION_MAJOR = 0
+PLP_VERSION_MINOR = 1
+PLP_VERSION_PATCH = 0
 
 PLP_OK = 0
 PLP_ERROR_INVALID_ARGUMENT = -1
@@ -45,14 +51,15 @@ PLP_FEATURE_FACE = 0
 PLP_FEATURE_EDGE = 1
 PLP_FEATURE_VERTEX = 2
 
-PLP_BODY_STATIC = 0
-PLP_BODY_MOVING = 1
-PLP_BODY_TOOL = 2
+PLP_STATUS_WALL = 8
+
 PLP_MODE_GLOBAL = 0
 PLP_MODE_DESCENT = 1
 PLP_MODE_CERTIFIED = 2
 
-PLP_STATUS_WALL = 8
+PLP_BODY_STATIC = 0
+PLP_BODY_MOVING = 1
+PLP_BODY_TOOL = 2
 
 plp_log_callback = CFUNCTYPE(None, c_int, c_char_p, c_void_p)
 
@@ -239,8 +246,8 @@ class plp_body_options(Structure):
 
 # A handle is an opaque value of a pointer's size; ctypes gives a null one back as None.
 _handle = c_void_p
-_body = c_uint64
 _result = c_int32
+_body = c_uint64
 _library = load()
 
 
@@ -275,6 +282,7 @@ plp_model_note = _function("plp_model_note", c_char_p, _handle, c_uint32)
 plp_model_prepare = _function("plp_model_prepare", _result, _handle)
 
 plp_contacts_init = _function("plp_contacts_init", None, POINTER(plp_contacts))
+
 plp_query_result_create = _function("plp_query_result_create", _result, POINTER(_handle))
 plp_query_result_release = _function("plp_query_result_release", _result, _handle)
 plp_query_options_init = _function("plp_query_options_init", None, POINTER(plp_query_options))

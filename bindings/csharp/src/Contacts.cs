@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace Palpate
+{
+    /// <summary>Where the outcome of a scene or query is read to, again and again.</summary>
+    internal sealed unsafe class Outcome
+    {
+        internal Raw.plp_contacts Struct;
+
+        /// <summary>Grows whenever native memory that the struct points to may have been overwritten or freed.</summary>
+        internal int Generation;
+
+        internal Outcome()
+        {
+            fixed (Raw.plp_contacts* contacts = &Struct)
+            {
+                Raw.plp_contacts_init(contacts);
+            }
+        }
+    }
+
+    /// <summary>The outcome of one search: a view, valid until the next search of its scene or QueryResult or the end
+    /// of that. From then on it throws InvalidOperationException.</summary>
+    public readonly unsafe struct Contacts
+    {
+        private readonly Outcome outcome;
+        private readonly int generation;
+
+        internal Contacts(Outcome outcome)
+        {
+            this.outcome = outcome;
+            generation = outcome.Generation;
+        }
+
+        /// <summary>The LMDs, a plateau's points one by one.</summary>
+        public NativeList<Contact> Lmds => new NativeList<Contact>(
+            outcome, Current.lmds, Current.lmd_count, Current.lmd_stride);
+
+        /// <summary>Pairs of triangles that touch or cross.</summary>
+        public NativeList<Overlap> Overlaps => new NativeList<Overlap>(
+            outcome, Current.overlaps, Current.overlap_count, Current.overlap_stride);
+
+        /// <summary>Whether surfaces touch or cross.</summary>
+        public bool Overlap => Current.overlap != 0;
+
+        /// <summary>Whether more pairs overlap than are listed.</summary>
+        public bool OverlapsCut => Current.overlaps_cut != 0;
+
+        /// <summary>The number of LMDs, a plateau counted once.</summary>
+        public int SetCount => (int)Current.set_count;
+
+        /// <summary>Of the LMDs; infinite if there is none.</summary>
+        public double MinDistance => Current.min_distance;
+
+        /// <summary>Microseconds.</summary>
+        public double SearchUs => Current.search_us;
+
+        public Wrench Wrench
+        {
+            get
+            {
+                fixed (Raw.plp_wrench* wrench = &Current.wrench)
+                {
+                    return *(Wrench*)wrench;
+                }
+            }
+        }
+
+        public Work Work
+        {
+            get
+            {
+                fixed (Raw.plp_work* work = &Current.work)
+                {
+                    return *(Work*)work;
+                }
+            }
+        }
+
+        private ref Raw.plp_contacts Current
+        {
+            get
+            {
+                if (outcome == null || generation != outcome.Generation)
+                {
+                    throw new InvalidOperationException(NativeList<Contact>.Overwritten);
+                }
+                return ref outcome.Struct;
+            }
+        }
+    }
+}

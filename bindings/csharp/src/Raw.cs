@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// Made from palpate.h by bindings/gen/generate.py; do not edit.
+using System;
+using System.Runtime.InteropServices;
+using System.Security;
+
+namespace Palpate
+{
+    /// <summary>palpate.h as it is: its constants, structs and functions under their own names, handles as IntPtr.
+    /// Nothing is checked here.</summary>
+    [SuppressUnmanagedCodeSecurity]
+    public static unsafe class Raw
+    {
+        /// <summary>Found by the loader as libpalpate.so.</summary>
+        public const string Library = "palpate";
+
+        public const int PLP_VERSION_MAJOR = 0;
+        public const int PLP_VERSION_MINOR = 1;
+        public const int PLP_VERSION_PATCH = 0;
+
+        public const int PLP_OK = 0;
+        public const int PLP_ERROR_INVALID_ARGUMENT = -1;
+        public const int PLP_ERROR_INVALID_HANDLE = -2;
+        public const int PLP_ERROR_OUT_OF_MEMORY = -3;
+        public const int PLP_ERROR_FILE_NOT_FOUND = -4;
+        public const int PLP_ERROR_FILE_READ = -5;
+        public const int PLP_ERROR_BAD_FORMAT = -6;
+        public const int PLP_ERROR_UNSUPPORTED = -7;
+        public const int PLP_ERROR_NO_TRIANGLES = -8;
+        public const int PLP_ERROR_NON_FINITE = -9;
+        public const int PLP_ERROR_LIMIT = -10;
+        public const int PLP_ERROR_UNSAFE_PATH = -11;
+        public const int PLP_ERROR_INTERNAL = -100;
+
+        public const int PLP_LOG_ERROR = 0;
+        public const int PLP_LOG_WARNING = 1;
+        public const int PLP_LOG_INFO = 2;
+        public const int PLP_LOG_DEBUG = 3;
+
+        public const int PLP_MODEL_DOUBLE_SIDED = 1;
+        public const int PLP_MODEL_KEEP_WINDING = 2;
+
+        public const int PLP_TYPE_NONE = 0;
+        public const int PLP_TYPE_FLOAT32 = 1;
+        public const int PLP_TYPE_FLOAT64 = 2;
+        public const int PLP_TYPE_UINT8 = 3;
+        public const int PLP_TYPE_UINT16 = 4;
+        public const int PLP_TYPE_UINT32 = 5;
+
+        public const int PLP_ORIENTATION_OPEN = 0;
+        public const int PLP_ORIENTATION_OUTWARD = 1;
+        public const int PLP_ORIENTATION_INWARD = 2;
+        public const int PLP_ORIENTATION_MIXED = 3;
+
+        public const int PLP_FEATURE_FACE = 0;
+        public const int PLP_FEATURE_EDGE = 1;
+        public const int PLP_FEATURE_VERTEX = 2;
+
+        public const int PLP_STATUS_WALL = 8;
+
+        public const int PLP_MODE_GLOBAL = 0;
+        public const int PLP_MODE_DESCENT = 1;
+        public const int PLP_MODE_CERTIFIED = 2;
+
+        public const int PLP_BODY_STATIC = 0;
+        public const int PLP_BODY_MOVING = 1;
+        public const int PLP_BODY_TOOL = 2;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        public delegate void plp_log_callback(int level, byte* message, void* user);
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_pose
+        {
+            public fixed double position[3];
+            public fixed double orientation[4];
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_wrench
+        {
+            public fixed double force[3];
+            public fixed double torque[3];
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_space
+        {
+            public fixed int axes[3];
+            public int reserved;
+            public double metres_per_unit;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_model_options
+        {
+            public uint struct_size;
+            public uint flags;
+            public double weld_tolerance;
+            public int gltf_scene;
+            public uint reserved;
+            public ulong max_triangles;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_triangles
+        {
+            public uint struct_size;
+            public uint reserved;
+            public void* positions;
+            public UIntPtr position_stride;
+            public UIntPtr vertex_count;
+            public void* indices;
+            public UIntPtr index_stride;
+            public UIntPtr triangle_count;
+            public int position_type;
+            public int index_type;
+            public plp_space space;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_surface_counts
+        {
+            public ulong triangles;
+            public ulong vertices;
+            public ulong edges;
+            public ulong boundary_edges;
+            public ulong nonmanifold_edges;
+            public ulong inconsistent_edges;
+            public ulong components;
+            public int orientation;
+            public int watertight;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_model_info
+        {
+            public uint struct_size;
+            public uint note_count;
+            public plp_surface_counts source;
+            public plp_surface_counts searched;
+            public ulong stored_vertices;
+            public ulong degenerate_triangles;
+            public ulong duplicate_triangles;
+            public ulong split_triangles;
+            public ulong reversed_triangles;
+            public ulong flipped_components;
+            public ulong double_sided_triangles;
+            public fixed double bounds_min[3];
+            public fixed double bounds_max[3];
+            public double diagonal;
+            public ulong mesh_bytes;
+            public ulong tree_bytes;
+            public ulong tree_nodes;
+            public double load_us;
+            public double tree_us;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_lmd
+        {
+            public fixed double point_a[3];
+            public fixed double point_b[3];
+            public fixed double normal[3];
+            public double distance;
+            public double weight;
+            public fixed double force[3];
+            public ulong body_a;
+            public ulong body_b;
+            public uint set;
+            public byte feature_a;
+            public byte feature_b;
+            public byte corner_a;
+            public byte corner_b;
+            public uint triangle_a;
+            public uint triangle_b;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_overlap
+        {
+            public ulong body_a;
+            public ulong body_b;
+            public uint triangle_a;
+            public uint triangle_b;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_work
+        {
+            public ulong bodies;
+            public ulong body_pairs;
+            public ulong node_pairs;
+            public ulong triangle_pairs;
+            public ulong descents;
+            public ulong descent_steps;
+            public ulong front_entries;
+            public ulong front_expired;
+            public ulong age;
+            public double global_us;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_contacts
+        {
+            public uint struct_size;
+            public int overlap;
+            public plp_lmd* lmds;
+            public UIntPtr lmd_count;
+            public UIntPtr lmd_stride;
+            public UIntPtr set_count;
+            public plp_overlap* overlaps;
+            public UIntPtr overlap_count;
+            public UIntPtr overlap_stride;
+            public int overlaps_cut;
+            public uint reserved;
+            public double min_distance;
+            public plp_wrench wrench;
+            public double search_us;
+            public plp_work work;
+            public plp_lmd* springs;
+            public UIntPtr spring_count;
+            public uint status;
+            public uint reserved2;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_query_options
+        {
+            public uint struct_size;
+            public uint max_overlaps;
+            public double cutoff;
+            public double stiffness;
+            public fixed double reference_point[3];
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_scene_options
+        {
+            public uint struct_size;
+            public uint max_overlaps;
+            public plp_space space;
+            public double cutoff;
+            public double stiffness;
+            public int mode;
+            public uint global_every;
+            public double damping;
+            public double stiffness_cap;
+            public double friction;
+            public double fade_time;
+            public double time_step;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_body_options
+        {
+            public uint struct_size;
+            public int kind;
+            public IntPtr model;
+            public plp_pose pose;
+            public double stiffness;
+            public fixed double reference_point[3];
+            public double damping;
+            public double friction;
+        }
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern uint plp_version();
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern byte* plp_version_string();
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern byte* plp_result_string(int result);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern byte* plp_last_error();
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_set_log_callback(IntPtr callback, void* user);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_model_options_init(plp_model_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_load_file(byte* path, plp_model_options* options, IntPtr* model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_load_memory(void* data, UIntPtr size, byte* folder,
+                                                       plp_model_options* options, IntPtr* model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_triangles_init(plp_triangles* triangles);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_create_from_triangles(plp_triangles* triangles, plp_model_options* options,
+                                                                 IntPtr* model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_retain(IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_release(IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_model_info_init(plp_model_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_get_info(IntPtr model, plp_model_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern byte* plp_model_note(IntPtr model, uint index);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_prepare(IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_contacts_init(plp_contacts* contacts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_query_result_create(IntPtr* result);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_query_result_release(IntPtr result);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_query_options_init(plp_query_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_query(IntPtr a, IntPtr b, plp_pose* a_from_b, plp_query_options* options,
+                                           IntPtr result);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_query_result_get(IntPtr result, plp_contacts* contacts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_scene_options_init(plp_scene_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_create(plp_scene_options* options, IntPtr* scene);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_release(IntPtr scene);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_body_options_init(plp_body_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_add_body(IntPtr scene, plp_body_options* options, ulong* body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_remove_body(IntPtr scene, ulong body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_pose(IntPtr scene, ulong body, plp_pose* pose);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_pose(IntPtr scene, ulong body, plp_pose* pose);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_cutoff(IntPtr scene, double cutoff);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_mode(IntPtr scene, int mode);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_stiffness(IntPtr scene, double stiffness);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_damping(IntPtr scene, double damping);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_stiffness_cap(IntPtr scene, double stiffness_cap);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_friction(IntPtr scene, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_step(IntPtr scene);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_contacts(IntPtr scene, plp_contacts* contacts);
+    }
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace Palpate
+{
+    /// <summary>How a scene finds its LMDs in each step.</summary>
+    public enum Mode
+    {
+        /// <summary>The complete set, searched from scratch.</summary>
+        Global = Raw.PLP_MODE_GLOBAL,
+
+        /// <summary>Local descent from the last search, which is repeated every few steps: new LMDs come late.</summary>
+        Descent = Raw.PLP_MODE_DESCENT,
+
+        /// <summary>The complete set, kept up to date with proof as the models move.</summary>
+        Certified = Raw.PLP_MODE_CERTIFIED
+    }
+
+    /// <summary>How a scene is made. Only the cutoff must be set.</summary>
+    public sealed unsafe class SceneOptions
+    {
+        internal Raw.plp_scene_options Struct;
+
+        public SceneOptions()
+        {
+            fixed (Raw.plp_scene_options* options = &Struct)
+            {
+                Raw.plp_scene_options_init(options);
+            }
+        }
+
+        /// <summary>Units of the space, positive: springs begin to push at this distance.</summary>
+        public double Cutoff
+        {
+            get => Struct.cutoff;
+            set => Struct.cutoff = value;
+        }
+
+        /// <summary>N/m, not negative.</summary>
+        public double Stiffness
+        {
+            get => Struct.stiffness;
+            set => Struct.stiffness = value;
+        }
+
+        public Mode Mode
+        {
+            get => (Mode)Struct.mode;
+            set => Struct.mode = (int)value;
+        }
+
+        /// <summary>Mode.Descent: steps from one search to the next; 0 for 10.</summary>
+        public uint GlobalEvery
+        {
+            get => Struct.global_every;
+            set => Struct.global_every = value;
+        }
+
+        /// <summary>List at most so many overlapping pairs.</summary>
+        public uint MaxOverlaps
+        {
+            get => Struct.max_overlaps;
+            set => Struct.max_overlaps = value;
+        }
+
+        /// <summary>Of poses, points and wrenches of the scene.</summary>
+        public Space Space
+        {
+            get
+            {
+                fixed (Raw.plp_space* space = &Struct.space)
+                {
+                    return *(Space*)space;
+                }
+            }
+            set => Struct.space = *(Raw.plp_space*)&value;
+        }
+    }
+
+    /// <summary>Bodies, one of which is the tool that the hand moves. One thread at a time may use it.</summary>
+    public sealed unsafe class Scene : IDisposable
+    {
+        private readonly SceneHandle handle;
+        private readonly Outcome outcome = new Outcome();
+
+        public Scene(SceneOptions options)
+        {
+            if (options == null)
+            {
+                throw new ArgumentNullException(nameof(options));
+            }
+            IntPtr value;
+            fixed (Raw.plp_scene_options* how = &options.Struct)
+            {
+                PalpateException.Check(Raw.plp_scene_create(how, &value));
+            }
+            handle = new SceneHandle(value);
+        }
+
+        /// <summary>For functions of Raw that have no other form here; throws if the scene is disposed.</summary>
+        public IntPtr Handle => handle.Value;
+
+        /// <summary>Adds a body; the scene keeps the model.</summary>
+        public Body Add(Model model, BodyOptions options = null)
+        {
+            Raw.plp_body_options copy = (options ?? new BodyOptions()).Struct;
+            copy.model = Model.ValueOf(model, nameof(model));
+            ulong id;
+            PalpateException.Check(Raw.plp_scene_add_body(handle.Value, &copy, &id));
+            GC.KeepAlive(model);
+            GC.KeepAlive(this);
+            return new Body(this, id);
+        }
+
+        /// <summary>Searches the tool against every other body that is near and computes the wrench on it about its
+        /// reference point. The same inputs give the same bits.</summary>
+        public Contacts Step()
+        {
+            PalpateException.Check(Raw.plp_scene_step(handle.Value));
+            return Read();
+        }
+
+        /// <summary>The outcome of the last step.</summary>
+        public Contacts Read()
+        {
+            IntPtr scene = handle.Value;
+            ++outcome.Generation;
+            fixed (Raw.plp_contacts* contacts = &outcome.Struct)
+            {
+                PalpateException.Check(Raw.plp_scene_get_contacts(scene, contacts));
+            }
+            GC.KeepAlive(this);
+            return new Contacts(outcome);
+        }
+
+        public void SetCutoff(double cutoff) => Check(Raw.plp_scene_set_cutoff(handle.Value, cutoff));
+
+        /// <summary>N/m of bodies that have none of their own.</summary>
+        public void SetStiffness(double stiffness) => Check(Raw.plp_scene_set_stiffness(handle.Value, stiffness));
+
+        public void SetMode(Mode mode) => Check(Raw.plp_scene_set_mode(handle.Value, (int)mode));
+
+        public void Dispose()
+        {
+            ++outcome.Generation;
+            handle.Dispose();
+        }
+
+        /// <summary>Of a call with this scene's handle, which it keeps alive until then.</summary>
+        internal void Check(int result)
+        {
+            GC.KeepAlive(this);
+            PalpateException.Check(result);
+        }
+    }
+}
