@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/snch/plateau.h"
+
 namespace palpate {
 namespace {
 
@@ -76,15 +78,39 @@ void Contacts::clear() {
   wrench = {};
   work = {};
   search_us = 0.0;
+  status = 0;
+  step = 0;
+}
+
+void Contacts::fix(std::size_t most_lmds, std::size_t most_overlaps) {
+  most_lmds_ = most_lmds;
+  lmds.reserve(most_lmds);
+  overlaps.reserve(most_overlaps);
+}
+
+void Contacts::unfix() {
+  most_lmds_ = std::numeric_limits<std::size_t>::max();
+}
+
+bool Contacts::has_room_for_set() const {
+  return lmds.size() + PlateauGrouper::kMaxPoints <= most_lmds_;
 }
 
 void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
-  for (const Lmd& lmd : found.lmds) {
+  bool listed = true;
+  for (std::size_t i = 0; i < found.lmds.size(); ++i) {
+    const Lmd& lmd = found.lmds[i];
+    if (i == 0 || lmd.set != found.lmds[i - 1].set) listed = contacts.has_room_for_set();
     const Contact contact = contact_of(lmd, pair, contacts.set_count);
     contacts.min_distance = std::min(contacts.min_distance, contact.distance);
     contacts.wrench += wrench_about(pair.reference, contact.point_b, contact.force);
-    contacts.lmds.push_back(contact);
+    if (listed) {
+      contacts.lmds.push_back(contact);
+    } else {
+      contacts.status |= kStatusCut;
+    }
   }
+  if (found.cut) contacts.status |= kStatusCut;
   contacts.set_count += found.set_count;
   append_overlaps(found, pair, contacts);
 }

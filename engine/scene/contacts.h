@@ -53,6 +53,12 @@ struct ContactWork {
   void add(const PairWork& pair);
 };
 
+// What is not as it should be, in bits.
+enum ContactStatus : std::uint32_t {
+  kStatusCut = 2,      // more than there was room for
+  kStatusWaiting = 4,  // a near model is still being prepared
+};
+
 // All that the tool meets at one moment.
 struct Contacts {
   std::vector<Contact> lmds;  // ordered by set
@@ -64,8 +70,19 @@ struct Contacts {
   Wrench wrench;  // on the tool about its reference point
   ContactWork work;
   double search_us = 0.0;
+  std::uint32_t status = 0;  // of ContactStatus
+  std::uint64_t step = 0;    // counts from 1
 
   void clear();  // keeps the memory
+
+  // Lists no more than so many any more, without allocating: the wrench is still of all, and the rest is
+  // flagged. unfix(): lists all.
+  void fix(std::size_t most_lmds, std::size_t most_overlaps);
+  void unfix();
+  bool has_room_for_set() const;
+
+ private:
+  std::size_t most_lmds_ = std::numeric_limits<std::size_t>::max();
 };
 
 // What turns the LMDs of one pair of models into contacts.

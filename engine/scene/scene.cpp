@@ -18,11 +18,37 @@ Result<BodyId> Scene::add(BodyOptions options) {
 
 bool Scene::remove(BodyId id) {
   if (!bodies_.remove(id)) return false;
-  if (id == tool_) {
-    tool_ = 0;
-    forget_searches();
-  }
+  if (id == tool_) lose_tool();
   return true;
+}
+
+void Scene::place(std::unique_ptr<Body> body) {
+  if (body->options().kind == BodyKind::kTool) tool_ = body->id;
+  bodies_.place(std::move(body));
+}
+
+std::unique_ptr<Body> Scene::take(BodyId id) {
+  std::unique_ptr<Body> body = bodies_.take(id);
+  if (body && id == tool_) lose_tool();
+  return body;
+}
+
+PairSearch* Scene::search_of(BodyId id) {
+  Body* const body = bodies_.find(id);
+  return body ? &body->against_tool : nullptr;
+}
+
+void Scene::fix() {
+  search_.fix(Room{});
+  for (Contacts* contacts : {&contacts_, &next_}) contacts->fix(kMostContacts, kMostOverlaps);
+  fixed_ = true;
+}
+
+void Scene::unfix() {
+  fixed_ = false;
+  search_.unfix();
+  for (Contacts* contacts : {&contacts_, &next_}) contacts->unfix();
+  bodies_.for_each([](BodyId, Body& body) { body.against_tool.unfix(); });
 }
 
 bool Scene::set_pose(BodyId id, const Pose& pose) {
@@ -34,6 +60,7 @@ bool Scene::set_pose(BodyId id, const Pose& pose) {
 void Scene::step() {
   const Stopwatch watch;
   next_.clear();
+  next_.step = ++steps_;
   if (const Body* tool = bodies_.find(tool_)) {
     bodies_.for_each([&](BodyId id, Body& body) {
       if (id != tool_) touch(id, body, *tool);
@@ -43,21 +70,33 @@ void Scene::step() {
   std::swap(contacts_, next_);
 }
 
-void Scene::forget_searches() {
-  bodies_.for_each([](BodyId, Body& body) { body.against_tool.forget(); });
+// At least one overlap is asked for, because an empty list means that nothing overlaps.
+std::size_t Scene::max_overlaps() const {
+  return std::clamp<std::size_t>(options_.max_overlaps, 1, fixed_ ? kMostOverlaps : SIZE_MAX);
+}
+
+void Scene::lose_tool() {
+  tool_ = 0;
+  bodies_.for_each([](BodyId, Body& body) { body.against_tool.retire(); });
 }
 
 void Scene::touch(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
+  PairSearch& pair = body.against_tool;
   if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) {
-    body.against_tool.forget();
+    pair.ready() ? pair.rest() : pair.forget();
     return;
   }
-  // At least one overlap is asked for, because an empty list means that nothing overlaps.
-  const PairSituation situation{inverse(body.pose()) * tool.pose(), options_.cutoff,
-                                std::max<std::size_t>(options_.max_overlaps, 1), options_.mode,
-                                options_.global_every};
-  PairSearch& pair = body.against_tool;
+  if (fixed_ && !pair.ready()) {
+    next_.status |= kStatusWaiting;
+    return;
+  }
+  const PairSituation situation{inverse(body.pose()) * tool.pose(),
+                                options_.cutoff,
+                                max_overlaps(),
+                                options_.mode,
+                                options_.global_every,
+                                steps_};
   pair.update(*body.options().model, *tool.options().model, situation, search_);
   if (pair.searched()) {
     ++next_.work.body_pairs;
@@ -75,7 +114,7 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
                    body.pose(),
                    {stiffness, options_.cutoff},
                    reference,
-                   options_.max_overlaps},
+                   std::min(options_.max_overlaps, max_overlaps())},
                   next_);
 }
 
