@@ -38,6 +38,7 @@ void PairSearch::fix(Room room, std::shared_ptr<SearchService> service) {
   tracker_.fix(room);
   for (LmdSet* set : {&found_, &complete_, &next_}) set->reserve(room);
   service_ = std::move(service);
+  searched_step_ = situation_.step;
   ready_ = true;
 }
 
@@ -67,7 +68,7 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   searched_ = !known_ || news || !same(situation, situation_);
   work_ = {};
   if (!searched_) return;
-  if (known_ && situation.mode != situation_.mode) forget();
+  if (known_ && situation.mode != situation_.mode) change_mode();
 
   SearchOptions options;
   options.cutoff = situation.cutoff;
@@ -91,6 +92,13 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   }
   known_ = true;
   plateau_ = found_.has_plateau();
+}
+
+// What the other modes know is stale. Yet a service may have nothing new to say of models that stand still.
+void PairSearch::change_mode() {
+  if (!service_) return forget();
+  plateau_ = lost_ = false;
+  front_.forget();
 }
 
 void PairSearch::search_all(const Model& body, const Model& tool, const SearchOptions& options,

@@ -83,6 +83,7 @@ class PairSearch {
   const PairWork& work() const { return work_; }
 
  private:
+  void change_mode();
   void search_all(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void descend(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void keep_front(const Model& body, const Model& tool, const SearchOptions& options);
