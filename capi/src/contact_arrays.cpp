@@ -8,6 +8,8 @@ namespace {
 static_assert(static_cast<int>(FeatureKind::kFace) == PLP_FEATURE_FACE);
 static_assert(static_cast<int>(FeatureKind::kEdge) == PLP_FEATURE_EDGE);
 static_assert(static_cast<int>(FeatureKind::kVertex) == PLP_FEATURE_VERTEX);
+static_assert(static_cast<int>(kStatusCut) == PLP_STATUS_CUT);
+static_assert(static_cast<int>(kStatusWaiting) == PLP_STATUS_WAITING);
 
 plp_lmd lmd_of(const Contact& contact, const Space& space) {
   plp_lmd lmd;
@@ -61,6 +63,7 @@ void ContactArrays::assign(const Contacts& contacts, const Space& space) {
   shown_.wrench = space.wrench_out(contacts.wrench);
   shown_.search_us = contacts.search_us;
   shown_.work = work_of(contacts.work);
+  shown_.status = contacts.status;
 }
 
 void ContactArrays::clear() {

@@ -59,14 +59,17 @@ void SceneThreads::stop_threads() {
 }
 
 void SceneThreads::stop_all() {
-  // In a process that was forked off there are no threads to wait for, and a lock may be held for ever.
-  if (running().process != getpid()) return;
   const std::lock_guard all(running().mutex);
   while (!running().scenes.empty()) {
     SceneThreads& scene = **running().scenes.begin();
     const std::lock_guard lock(scene.mutex_);
     scene.stop_threads();
   }
+}
+
+void SceneThreads::stop_all_of_this_process() {
+  // Elsewhere there are no threads to wait for, and a lock may be held for ever.
+  if (running().process == getpid()) stop_all();
 }
 
 ServoState SceneThreads::state() {

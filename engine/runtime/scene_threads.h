@@ -25,8 +25,10 @@ class SceneThreads {
   void stop();  // does nothing if they do not run
   ServoState state();
 
-  // Stops the threads of every scene of the process.
+  // Stops the threads of every scene.
   static void stop_all();
+  // The same where the process ends, which may be one that was forked off and has none of the threads.
+  static void stop_all_of_this_process();
 
  private:
   void search();
