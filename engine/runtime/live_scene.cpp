@@ -137,6 +137,7 @@ Status LiveScene::go_live() {
   }
   try {
     search_globally();
+    execute_commands(std::numeric_limits<std::size_t>::max());
   } catch (...) {
     go_still();
     throw;
@@ -224,7 +225,9 @@ bool LiveScene::soon_near(BodyRecord& record, const Sphere& tool, const ToolView
   const DVec3 at = body.centre - tool.centre;
   if (record.seen && view.step > record.seen->step && view.dt > 0.0) {
     const double seconds = static_cast<double>(view.step - record.seen->step) * view.dt;
-    record.ahead = glm::length(at - record.seen->at) * kReadyAhead / seconds;
+    // A leap from one place to another is not a speed.
+    record.ahead = std::min(glm::length(at - record.seen->at) * kReadyAhead / seconds,
+                            options_.cutoff + body.radius + tool.radius);
   }
   if (!record.seen || view.step > record.seen->step) record.seen = {at, view.step};
   return within_reach(body, tool, kReadyReach * options_.cutoff + record.ahead);
