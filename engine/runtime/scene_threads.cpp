@@ -2,14 +2,24 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <system_error>
 
+#include "engine/base/clock.h"
+
 namespace palpate {
 namespace {
 
-constexpr std::chrono::milliseconds kSearchPause{1};
+// Where there is nothing to do, a round comes so often, and takes no more than a tenth of the time.
+constexpr double kSearchPauseUs = 1'000.0;
+constexpr double kLongestSearchPauseUs = 20'000.0;
+
+std::chrono::duration<double, std::micro> pause_after(double round_us) {
+  return std::chrono::duration<double, std::micro>(
+      std::clamp(9.0 * round_us, kSearchPauseUs, kLongestSearchPauseUs));
+}
 
 // Who runs in this process. Never destroyed: a thread may still stop its scene at exit.
 struct Running {
@@ -80,13 +90,14 @@ ServoState SceneThreads::state() {
 
 void SceneThreads::search() {
   while (!stop_search_->raised()) {
+    const Stopwatch watch;
     bool worked = false;
     try {
       worked = scene_.search_globally();
     } catch (const std::exception&) {
       // Out of memory: the pair stays as it is, and flagged, until the next attempt.
     }
-    if (!worked) std::this_thread::sleep_for(kSearchPause);
+    if (!worked) std::this_thread::sleep_for(pause_after(watch.elapsed_us()));
   }
 }
 
