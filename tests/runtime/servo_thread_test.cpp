@@ -12,6 +12,7 @@
 namespace palpate {
 namespace {
 
+using test::settled_thread_count;
 using test::thread_count;
 
 // Counts ticks and stalls once.
@@ -90,7 +91,7 @@ TEST(SceneThreads, LeaveNoThreadBehind) {
     threads.stop();
     EXPECT_FALSE(threads.state().running);
   }
-  EXPECT_EQ(thread_count(), running - 2);
+  EXPECT_EQ(settled_thread_count(running - 2), running - 2);
 }
 
 TEST(SceneThreads, StopAllStopsEveryScene) {
@@ -101,7 +102,7 @@ TEST(SceneThreads, StopAllStopsEveryScene) {
   const std::size_t running = thread_count();
   SceneThreads::stop_all();
   SceneThreads::stop_all();
-  EXPECT_EQ(thread_count(), running - 4);
+  EXPECT_EQ(settled_thread_count(running - 4), running - 4);
   EXPECT_FALSE(threads_of_one.state().running);
   EXPECT_TRUE(one.step()) << "the caller may step it again";
   EXPECT_TRUE(threads_of_one.start({.priority = ServoOptions::kNoPriority}));

@@ -28,10 +28,10 @@ TEST(Unload, StopsTheServo) {
     options.cutoff = 0.1;
     ASSERT_EQ(FUNCTION_OF(library, plp_scene_create)(&options, &scene), PLP_OK);
     ASSERT_EQ(FUNCTION_OF(library, plp_scene_start)(scene, nullptr), PLP_OK);
-    EXPECT_EQ(thread_count(), before + 2);
+    EXPECT_EQ(settled_thread_count(before + 2), before + 2);
     ASSERT_EQ(dlclose(library), 0);
     EXPECT_EQ(dlopen(PALPATE_LIBRARY, RTLD_NOW | RTLD_NOLOAD), nullptr) << "it is still loaded";
-    EXPECT_EQ(thread_count(), before);
+    EXPECT_EQ(settled_thread_count(before), before);
   }
 }
 
