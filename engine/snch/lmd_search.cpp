@@ -123,6 +123,7 @@ LmdSearch& LmdSearch::operator=(LmdSearch&&) noexcept = default;
 void LmdSearch::fix(const Room& room) {
   memory_->fixed = true;
   memory_->stack.reserve(kOpenRoom);
+  std::vector<Minimum>().swap(memory_->minima);  // may have grown past what `found` has room for
   memory_->minima.reserve(room.minima);
   memory_->grouper.fix(memory_->minima.capacity());
 }
