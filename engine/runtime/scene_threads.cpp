@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "engine/base/clock.h"
+#include "engine/runtime/own_thread.h"
 
 namespace palpate {
 namespace {
@@ -89,6 +90,7 @@ ServoState SceneThreads::state() {
 }
 
 void SceneThreads::search() {
+  begin_own_thread("palpate-search");
   while (!stop_search_->raised()) {
     const Stopwatch watch;
     bool worked = false;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "engine/runtime/own_thread.h"
+
 namespace palpate {
 namespace {
 
@@ -102,6 +104,7 @@ const ServoGrants& ServoThread::grants() {
 }
 
 void ServoThread::run(ServoTask& task) {
+  begin_own_thread("palpate-servo");
   Report report;
   report.grants = {granted_priority(options_.priority), granted_cpu(options_.cpu)};
   const double dt = 1.0 / options_.rate_hz;

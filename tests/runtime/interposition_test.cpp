@@ -103,8 +103,14 @@ TEST(ForbiddenCallsDeathTest, AreSeenOnAServoThread) {
       "forbidden call: malloc");
 }
 
-void wait_for_tick(SceneThreads& threads, std::uint64_t tick) {
-  while (threads.state().statistics.ticks < tick) std::this_thread::sleep_for(std::chrono::microseconds(200));
+void wait_for_ticks(SceneThreads& threads, std::uint64_t count) {
+  const std::uint64_t until = threads.state().statistics.ticks + count;
+  while (threads.state().statistics.ticks < until)
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
+
+void wait_for_preparations(LiveScene& scene, std::uint64_t count) {
+  while (scene.counts().preparations < count) std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
 BodyId add(LiveScene& scene, const std::shared_ptr<const Model>& model, BodyKind kind, const Pose& pose) {
@@ -127,7 +133,7 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
   const double cutoff = 0.02 * body->bounds().diagonal();
   Random random(kSeed);
   const std::vector<Pose> motion =
-      sliding_motion(*body, *tool, cutoff, 0.3 * body->bounds().diagonal(), 300, random);
+      sliding_motion(*body, *tool, cutoff, 0.3 * body->bounds().diagonal(), 200, random);
   LiveScene scene({.cutoff = cutoff, .mode = GetParam()});
   add(scene, body, BodyKind::kStatic, {});
   const BodyId tool_id = add(scene, tool, BodyKind::kTool, motion[0]);
@@ -143,11 +149,13 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
       EXPECT_EQ(scene.remove(last), last != 0);
       Pose beside = motion[i];
       beside.translation += (tool->radius() + 0.5 * box->radius()) * random.direction();
+      const std::uint64_t ready = scene.counts().preparations;
       last = add(scene, box, BodyKind::kMoving, beside);
+      wait_for_preparations(scene, ready + 1);
     }
     if (i % 11 == 0) scene.set_cutoff(cutoff * random.uniform(0.7, 1.3));
     if (i % 13 == 0) scene.set_stiffness(random.uniform(100.0, 900.0));
-    wait_for_tick(threads, i);
+    wait_for_ticks(threads, 1);
     scene.visit_newer([&](const Contacts& contacts) {
       sets += contacts.set_count;
       overlaps += contacts.overlaps.size();
@@ -161,7 +169,7 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
               static_cast<unsigned long long>(counts.cut_ticks));
   EXPECT_GT(sets, motion.size() / 2);
   EXPECT_GT(overlaps, 0u);
-  EXPECT_GE(counts.preparations, 20u);
+  EXPECT_GE(counts.preparations, motion.size() / 5);
 }
 
 // Modes are switched, the tool is exchanged, and the front outgrows its room.
@@ -178,7 +186,6 @@ TEST(ServoPathBorders, NeitherAllocateNorLockNorBlock) {
   ASSERT_TRUE(threads.start(kServo, guarded));
   constexpr SearchMode kModes[] = {SearchMode::kDescent, SearchMode::kCertified, SearchMode::kGlobal,
                                    SearchMode::kCertified};
-  std::uint64_t tick = 0;
   for (int i = 0; i < 40; ++i) {
     scene.set_mode(kModes[i % 4]);
     scene.set_cutoff(i % 8 == 3 ? 6.0 * cutoff : cutoff);
@@ -189,7 +196,7 @@ TEST(ServoPathBorders, NeitherAllocateNorLockNorBlock) {
     Pose moved;
     moved.translation = 0.1 * cutoff * random.direction();
     ASSERT_TRUE(scene.set_pose(body_id, moved));
-    wait_for_tick(threads, tick += 5);
+    wait_for_ticks(threads, 5);
   }
   EXPECT_GT(scene.counts().cut_ticks, 0u) << "the front was given up at least once";
 }

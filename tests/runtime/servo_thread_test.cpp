@@ -1,5 +1,7 @@
 #include "engine/runtime/servo_thread.h"
 
+#include <signal.h>
+
 #include <chrono>
 
 #include <gtest/gtest.h>
@@ -64,6 +66,27 @@ TEST(ServoThread, LeavesOutWhatAStallCost) {
   EXPECT_GE(servo.statistics().missed, 1u);
   EXPECT_GE(servo.statistics().skipped, 29u);
   EXPECT_GE(servo.statistics().work.max_us(), 30'000.0);
+}
+
+// A signal to the process is for the program's own threads.
+TEST(ServoThread, LeavesSignalsToOthers) {
+  class Asking : public ServoTask {
+   public:
+    void tick(double) noexcept override {
+      sigset_t blocked;
+      pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
+      if (sigismember(&blocked, SIGINT) == 1 && sigismember(&blocked, SIGSEGV) == 0) blocks.add(1);
+      ticks.add(1);
+    }
+    Counter ticks;
+    Counter blocks;
+  };
+  Asking task;
+  ServoThread servo;
+  ASSERT_TRUE(servo.start(task, {.rate_hz = 1000.0, .priority = ServoOptions::kNoPriority}));
+  while (task.ticks.value() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  servo.stop();
+  EXPECT_EQ(task.blocks.value(), task.ticks.value());
 }
 
 // Whether it is granted depends on the system; it must run either way and say so.

@@ -252,6 +252,9 @@ TEST(Servo, RefusesWhatItCannotDo) {
   options.cpu = -2;
   EXPECT_EQ(plp_scene_start(scene.handle, &options), PLP_ERROR_INVALID_ARGUMENT);
   options.cpu = -1;
+  options.struct_size = 8;
+  EXPECT_EQ(plp_scene_start(scene.handle, &options), PLP_ERROR_INVALID_ARGUMENT);
+  options.struct_size = sizeof options;
   EXPECT_EQ(plp_scene_start(nullptr, &options), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_scene_stop(nullptr), PLP_ERROR_INVALID_HANDLE);
 
@@ -265,6 +268,9 @@ TEST(Servo, RefusesWhatItCannotDo) {
   plp_servo_state state;
   plp_servo_state_init(&state);
   EXPECT_EQ(plp_scene_get_servo(scene.handle, &state), PLP_OK);
+  state.struct_size = 8;
+  EXPECT_EQ(plp_scene_get_servo(scene.handle, &state), PLP_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(plp_scene_get_servo(scene.handle, nullptr), PLP_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(state.running, 0);
   EXPECT_EQ(state.wanted_rate, 1000.0);
 }
