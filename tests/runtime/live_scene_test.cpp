@@ -102,6 +102,30 @@ TEST_F(LiveSceneTest, CertifiedIsBitForBitWhatTheCallerSteps) {
   EXPECT_GT(sets, poses.size());
 }
 
+// Out of reach and back, overlapping and apart, however far at once: what was proved before still holds.
+TEST_F(LiveSceneTest, LeapsAreTakenToo) {
+  Random random(8);
+  fill(place_near(*body_, *tool_, 0.5 * cutoff_, random));
+  ASSERT_TRUE(live_.go_live());
+  std::size_t sets = 0, overlaps = 0, far = 0;
+  for (int i = 0; i < 80; ++i) {
+    Pose pose = place_near(*body_, *tool_, cutoff_ * random.uniform(-0.5, 1.5), random);
+    if (i % 4 == 3) pose.translation *= 5.0;
+    for (LiveScene* scene : {&live_, &still_}) ASSERT_TRUE(scene->set_pose(tool_id_, pose));
+    ASSERT_TRUE(still_.step());
+    const Contacts expected = newest(still_), found = tick(live_);
+    EXPECT_EQ(found.status, 0u);
+    EXPECT_TRUE(same(found, expected)) << "tick " << i;
+    sets += found.set_count;
+    overlaps += found.overlap;
+    far += found.work.body_pairs == 0;
+    if (i % 3 == 0) live_.search_globally();
+  }
+  EXPECT_GT(sets, 40u);
+  EXPECT_GT(overlaps, 5u);
+  EXPECT_GT(far, 10u);
+}
+
 TEST_F(LiveSceneTest, EveryModeFindsTheSameWhereNothingMoves) {
   fill(motion(1)[0]);
   ASSERT_TRUE(live_.go_live());
