@@ -8,6 +8,8 @@ namespace {
 static_assert(static_cast<int>(FeatureKind::kFace) == PLP_FEATURE_FACE);
 static_assert(static_cast<int>(FeatureKind::kEdge) == PLP_FEATURE_EDGE);
 static_assert(static_cast<int>(FeatureKind::kVertex) == PLP_FEATURE_VERTEX);
+static_assert(static_cast<int>(kStatusCut) == PLP_STATUS_CUT);
+static_assert(static_cast<int>(kStatusWaiting) == PLP_STATUS_WAITING);
 
 plp_lmd lmd_of(const Contact& contact, const Space& space) {
   plp_lmd lmd;
@@ -65,7 +67,7 @@ void ContactArrays::assign(const Contacts& contacts, const Space& space) {
   shown_.work = work_of(contacts.work);
   shown_.springs = springs_.data();
   shown_.spring_count = springs_.size();
-  shown_.status = contacts.walled ? std::uint32_t{PLP_STATUS_WALL} : 0u;
+  shown_.status = contacts.status;
 }
 
 void ContactArrays::clear() {

@@ -9,8 +9,8 @@
 #include "capi/src/errors.h"
 #include "capi/src/space.h"
 #include "engine/exchange/handle_table.h"
+#include "engine/runtime/scene_threads.h"
 #include "engine/scene/query.h"
-#include "engine/scene/scene.h"
 
 namespace palpate::capi {
 
@@ -25,11 +25,13 @@ struct QueryObject {
 };
 
 struct SceneObject {
-  SceneObject(const Space& its_space, const SceneOptions& options) : space(its_space), scene(options) {}
+  SceneObject(const Space& its_space, const SceneOptions& options)
+      : space(its_space), scene(options), threads(scene) {}
 
   Space space;
-  Scene scene;
+  LiveScene scene;
   ContactArrays arrays;
+  SceneThreads threads;  // end first
 };
 
 // The tables live until the process ends: a thread that still calls at exit must not meet a destroyed one.

@@ -73,6 +73,10 @@ HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {
   return scene_table().pin(bits_of(scene));
 }
 
+void show_newest(SceneObject& object) {
+  object.scene.visit_newer([&](const Contacts& contacts) { object.arrays.assign(contacts, object.space); });
+}
+
 void require_body(bool found) {
   if (!found) refuse(ErrorCode::kInvalidHandle, "body is none of this scene");
 }
@@ -150,9 +154,9 @@ plp_result plp_scene_get_pose(plp_scene scene, plp_body body, plp_pose* pose) {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     require(pose, "pose is null");
-    const Body* found = object->scene.find(body);
-    require_body(found);
-    *pose = object->space.pose_out(found->pose());
+    const std::optional<Pose> found = object->scene.pose_of(body);
+    require_body(found.has_value());
+    *pose = object->space.pose_out(*found);
   });
 }
 
@@ -208,8 +212,8 @@ plp_result plp_scene_step(plp_scene scene) {
   return guarded([&] {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
-    object->scene.step();
-    object->arrays.assign(object->scene.contacts(), object->space);
+    value_or_refuse(object->scene.step());
+    show_newest(*object);
   });
 }
 
@@ -217,6 +221,8 @@ plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contacts) {
   return guarded([&] {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
+    checked_size(contacts, "contacts");
+    show_newest(*object);
     write_struct(object->arrays.shown(), contacts, "contacts");
   });
 }

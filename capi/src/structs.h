@@ -28,6 +28,10 @@ template <>
 inline constexpr std::uint32_t kFirstSize<plp_scene_options> = 56;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_body_options> = 104;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_servo_options> = 24;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_servo_state> = 160;
 
 // No version will need more; a larger size is taken for garbage and not read.
 inline constexpr std::uint32_t kLargestSize = 4096;

@@ -19,6 +19,7 @@ enum class ErrorCode {
   kNonFinite,
   kLimit,
   kUnsafePath,
+  kWrongState,
   kInternal,
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace palpate {
 namespace {
@@ -41,6 +42,7 @@ void drop_sets_beyond(double cutoff, LmdSet& found) {
 struct LmdTracker::Tick {
   const DescentPair& pair;
   FeaturePairTest::Limits limits;
+  std::size_t max_overlaps;
 
   TestedTriangle tested_a(std::uint32_t t, unsigned corners, unsigned sides) const {
     return {t, triangle_of(pair.a(), t), corners, sides};
@@ -49,6 +51,23 @@ struct LmdTracker::Tick {
     return {t, triangle_of(pair.b(), t, pair.placement()), corners, sides};
   }
 };
+
+void LmdTracker::fix(const Room& room) {
+  fixed_ = true;
+  seeds_.reserve(2 * room.minima);  // those followed, and those of a search
+  explored_.reserve(kMaxExplored);
+  minima_.reserve(room.minima);
+  grouper_.fix(minima_.capacity());
+}
+
+void LmdTracker::unfix() {
+  fixed_ = false;
+  grouper_.fix(0);
+}
+
+bool LmdTracker::has_room_for_test() const {
+  return !fixed_ || has_room(minima_, FeaturePairTest::kMostFound);
+}
 
 void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
   remember(a, b, searched);
@@ -61,7 +80,8 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   const Placement placement(a.frame, b.frame, a_from_b);
   const DescentPair pair(a, b, placement);
   const double touch = touching_distance(placement);
-  const Tick tick{pair, {options.cutoff / a.frame.scale, touch, options.parallel_tolerance}};
+  const Tick tick{
+      pair, {options.cutoff / a.frame.scale, touch, options.parallel_tolerance}, options.max_overlaps};
   found.clear();
   work_ = {};
   minima_.clear();
@@ -76,14 +96,20 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   grouper_.group(a, b, touch, minima_, found);
   to_metres(a.frame, found);
   found.work.triangle_pairs = work_.triangle_pairs;
+  found.cut |= std::exchange(overflowed_, false);
   seeds_.clear();
   remember(a, b, found);
   drop_sets_beyond(cutoff, found);
 }
 
 void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
-  for (const Lmd& lmd : found.lmds)
+  for (const Lmd& lmd : found.lmds) {
+    if (fixed_ && !has_room(seeds_, 1)) {
+      overflowed_ = true;
+      return;
+    }
     seeds_.push_back({triangles_at(a, lmd.feature_a).front(), triangles_at(b, lmd.feature_b).front()});
+  }
 }
 
 void LmdTracker::follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found) {
@@ -93,9 +119,9 @@ void LmdTracker::follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found)
   const Triangle in_a = triangle_of(tick.pair.a(), point.triangles.a);
   const Triangle in_b = triangle_of(tick.pair.b(), point.triangles.b, tick.pair.placement());
   if (triangles_touch(in_a, in_b, point.closest, tick.limits.touch))
-    return found.overlaps.push_back(point.triangles);
+    return found.add_overlap(point.triangles, tick.max_overlaps);
   FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
-  decide(tick, point, test);
+  decide(tick, point, test, found);
 }
 
 bool LmdTracker::descend(const DescentPair& pair, DescentPoint& point) {
@@ -105,7 +131,11 @@ bool LmdTracker::descend(const DescentPair& pair, DescentPoint& point) {
 
 // The features of the closest points decide; all features of the two triangles where those do not, as on
 // parallel edges, whose closest points may be anywhere between.
-void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test) {
+void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found) {
+  if (!has_room_for_test()) {
+    found.cut = true;
+    return;
+  }
   const TrianglePlace at_a = point.closest.first_place, at_b = point.closest.second_place;
   const auto [a, b] = point.triangles;
   const std::size_t before = minima_.size();
@@ -114,11 +144,11 @@ void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePair
   const bool alone = minima_.size() > before &&
                      std::all_of(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end(),
                                  [](const Minimum& minimum) { return minimum.alone; });
-  if (!alone) explore_plateau(tick, point.triangles, test);
+  if (!alone) explore_plateau(tick, point.triangles, test, found);
 }
 
 // Breadth first over the pairs of triangles that share a minimum of the plateau.
-void LmdTracker::explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test) {
+void LmdTracker::explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found) {
   const auto add = [this](TrianglePair pair) {
     if (explored_.size() < kMaxExplored &&
         std::find(explored_.begin(), explored_.end(), pair) == explored_.end())
@@ -127,6 +157,10 @@ void LmdTracker::explore_plateau(const Tick& tick, TrianglePair from, FeaturePai
   std::size_t next = explored_.size();
   add(from);
   for (; next < explored_.size(); ++next) {
+    if (!has_room_for_test()) {
+      found.cut = true;
+      return;
+    }
     constexpr unsigned kAll = 7;
     const std::size_t before = minima_.size();
     ++work_.triangle_pairs;

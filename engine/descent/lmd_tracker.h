@@ -29,19 +29,28 @@ class LmdTracker {
   void follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options, double cutoff,
               LmdSet& found);
 
+  // Allocates nothing any more: what finds no room is cut, and flagged. Needs a `found` with the same room.
+  void fix(const Room& room);
+  void unfix();
+  std::size_t used_minima() const { return minima_.size(); }
+  bool tight() const { return is_tight(seeds_) || is_tight(minima_); }
+
   void forget() { seeds_.clear(); }
   std::size_t size() const { return seeds_.size(); }
   const DescentWork& work() const { return work_; }  // of the last follow()
 
  private:
   struct Tick;
+  bool has_room_for_test() const;
   void follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found);
   bool descend(const DescentPair& pair, DescentPoint& point);
-  void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test);
-  void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test);
+  void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
+  void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found);
   void remember(const Mesh& a, const Mesh& b, const LmdSet& found);
 
   DescentForm form_;
+  bool fixed_ = false;
+  bool overflowed_ = false;  // seeds found no room
   PolarDescent polar_;
   NeighbourhoodDescent neighbourhood_;
   PlateauGrouper grouper_;

@@ -15,25 +15,34 @@ void Body::set_pose(const Pose& pose) {
 
 BodyId BodyTable::add(Body body) {
   auto placed = std::make_unique<Body>(std::move(body));
-  if (free_.empty()) {
-    if (slots_.size() == kMaxBodies) return 0;
-    free_.reserve(slots_.size() + 1);  // so that remove() cannot throw
-    slots_.emplace_back();
-    free_.push_back(static_cast<std::uint32_t>(slots_.size() - 1));
-  }
-  const std::uint32_t slot = free_.back();
-  free_.pop_back();
-  slots_[slot].body = std::move(placed);
-  return id_of(slot);
+  const BodyId id = ids_.take();
+  if (id == 0) return 0;
+  placed->id = id;
+  place(std::move(placed));
+  return id;
 }
 
 bool BodyTable::remove(BodyId id) {
-  if (!find(id)) return false;
-  const auto slot = static_cast<std::uint32_t>(id);
-  slots_[slot].body.reset();
-  // A slot whose generations are used up retires.
-  if (++slots_[slot].generation != 0) free_.push_back(slot);
+  if (!ids_.alive(id)) return false;
+  take(id);
+  ids_.give_back(id);
   return true;
+}
+
+void BodyTable::place(std::unique_ptr<Body> body) {
+  const std::uint32_t slot = slot_of(body->id);
+  if (slot >= slots_.size()) slots_.resize(slot + 1);
+  slots_[slot] = std::move(body);
+}
+
+std::unique_ptr<Body> BodyTable::take(BodyId id) {
+  return find(id) ? std::move(slots_[slot_of(id)]) : nullptr;
+}
+
+void BodyTable::move_to(Slots& larger) {
+  larger.clear();
+  for (std::unique_ptr<Body>& body : slots_) larger.push_back(std::move(body));
+  slots_.swap(larger);
 }
 
 Body* BodyTable::find(BodyId id) {
@@ -41,8 +50,8 @@ Body* BodyTable::find(BodyId id) {
 }
 
 const Body* BodyTable::find(BodyId id) const {
-  const auto slot = static_cast<std::uint32_t>(id);
-  return slot < slots_.size() && id_of(slot) == id ? slots_[slot].body.get() : nullptr;
+  const std::uint32_t slot = slot_of(id);
+  return slot < slots_.size() && slots_[slot] && slots_[slot]->id == id ? slots_[slot].get() : nullptr;
 }
 
 }  // namespace palpate

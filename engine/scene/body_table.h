@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/scene/body_ids.h"
 #include "engine/scene/contacts.h"
 #include "engine/scene/pair_search.h"
 #include "engine/scene/pair_springs.h"
@@ -34,6 +35,7 @@ class Body {
   const Sphere& sphere() const { return sphere_; }  // world frame
   void set_pose(const Pose& pose);
 
+  BodyId id = 0;
   PairSearch against_tool;
   PairSprings springs;  // against the tool
 
@@ -42,35 +44,34 @@ class Body {
   Sphere sphere_;
 };
 
-// Bodies in slots whose order never changes. An id is its slot and the slot's generation, so that the id of a
-// body that was removed stays invalid.
+// Bodies in slots whose order never changes.
 class BodyTable {
  public:
-  static constexpr std::size_t kMaxBodies = 1u << 24;
+  using Slots = std::vector<std::unique_ptr<Body>>;
 
   BodyId add(Body body);  // 0 if the table is full
   bool remove(BodyId id);
   Body* find(BodyId id);
   const Body* find(BodyId id) const;
 
+  // For who hands out the ids itself: neither allocates while the slots have room.
+  void place(std::unique_ptr<Body> body);
+  std::unique_ptr<Body> take(BodyId id);  // null: no such body
+
+  // Moves to `larger`, whose memory changes places with this table's.
+  void move_to(Slots& larger);
+
   // Calls visit(id, body) for every body in the order of slots.
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
-      if (slots_[slot].body) visit(id_of(slot), *slots_[slot].body);
+    for (const std::unique_ptr<Body>& body : slots_) {
+      if (body) visit(body->id, *body);
     }
   }
 
  private:
-  struct Slot {
-    std::uint32_t generation = 1;
-    std::unique_ptr<Body> body;
-  };
-
-  BodyId id_of(std::size_t slot) const { return BodyId{slots_[slot].generation} << 32 | slot; }
-
-  std::vector<Slot> slots_;
-  std::vector<std::uint32_t> free_;
+  BodyIds ids_;
+  Slots slots_;
 };
 
 }  // namespace palpate

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/snch/plateau.h"
+
 namespace palpate {
 namespace {
 
@@ -57,11 +59,28 @@ void Contacts::clear() {
   overlaps.clear();
   overlap = false;
   overlaps_cut = false;
-  walled = false;
   min_distance = std::numeric_limits<double>::infinity();
   wrench = {};
   work = {};
   search_us = 0.0;
+  status = 0;
+  step = 0;
+}
+
+void Contacts::fix(const Most& most) {
+  most_lmds_ = most.lmds;
+  most_springs_ = most.springs;
+  lmds.reserve(most.lmds);
+  springs.reserve(most.springs);
+  overlaps.reserve(most.overlaps);
+}
+
+void Contacts::unfix() {
+  most_lmds_ = most_springs_ = kAny;
+}
+
+bool Contacts::has_room_for_set() const {
+  return lmds.size() + PlateauGrouper::kMaxPoints <= most_lmds_;
 }
 
 Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set) {
@@ -81,11 +100,19 @@ Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_
 }
 
 void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
-  for (const Lmd& lmd : found.lmds) {
+  bool listed = true;
+  for (std::size_t i = 0; i < found.lmds.size(); ++i) {
+    const Lmd& lmd = found.lmds[i];
+    if (i == 0 || lmd.set != found.lmds[i - 1].set) listed = contacts.has_room_for_set();
     const Contact contact = contact_of(lmd, pair, contacts.set_count);
     contacts.min_distance = std::min(contacts.min_distance, contact.distance);
-    contacts.lmds.push_back(contact);
+    if (listed) {
+      contacts.lmds.push_back(contact);
+    } else {
+      contacts.status |= kStatusCut;
+    }
   }
+  if (found.cut) contacts.status |= kStatusCut;
   contacts.set_count += found.set_count;
   append_overlaps(found, pair, contacts);
 }

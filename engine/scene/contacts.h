@@ -56,6 +56,13 @@ struct ContactWork {
   void add(const PairWork& pair);
 };
 
+// What is not as it should be, in bits.
+enum ContactStatus : std::uint32_t {
+  kStatusCut = 2,      // more than there was room for
+  kStatusWaiting = 4,  // a near model is still being prepared
+  kStatusWall = 8,     // surfaces overlap and walls hold the tool
+};
+
 // All that the tool meets at one moment.
 struct Contacts {
   std::vector<Contact> lmds;     // ordered by set; each with the force of its spring alone
@@ -64,13 +71,33 @@ struct Contacts {
   std::vector<BodyOverlap> overlaps;
   bool overlap = false;
   bool overlaps_cut = false;  // more overlap than are listed
-  bool walled = false;        // walls hold the tool where surfaces overlap
   double min_distance = std::numeric_limits<double>::infinity();
   Wrench wrench;  // of the springs on the tool about its reference point
   ContactWork work;
   double search_us = 0.0;
+  std::uint32_t status = 0;  // of ContactStatus
+  std::uint64_t step = 0;    // counts from 1
 
   void clear();  // keeps the memory
+  bool walled() const { return (status & kStatusWall) != 0; }
+
+  // What is listed at most once memory is fixed. LMDs that are not listed push all the same; springs beyond
+  // do not. Either is flagged.
+  struct Most {
+    std::size_t lmds;
+    std::size_t springs;
+    std::size_t overlaps;
+  };
+  void fix(const Most& most);  // from now on nothing is allocated
+  void unfix();
+  bool has_room_for_set() const;
+  bool has_room_for_spring() const { return springs.size() < most_springs_; }
+
+ private:
+  static constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+
+  std::size_t most_lmds_ = kAny;
+  std::size_t most_springs_ = kAny;
 };
 
 // What turns the LMDs of one pair of models into contacts.

@@ -1,6 +1,7 @@
 #include "engine/scene/pair_search.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/clock.h"
 
@@ -20,7 +21,7 @@ bool same(const PairSituation& a, const PairSituation& b) {
 }  // namespace
 
 void PairSearch::forget() {
-  known_ = false;
+  known_ = plateau_ = lost_ = false;
   front_.forget();
   tracker_.forget();
   odometer_.reset();
@@ -28,20 +29,57 @@ void PairSearch::forget() {
   complete_.clear();
 }
 
+Room PairSearch::fix(Room room, std::shared_ptr<SearchService> service) {
+  const Room used = front_.used();
+  room.front = std::max(room.front, 4 * used.front);
+  room.minima =
+      std::max({room.minima, 4 * used.minima, 4 * tracker_.used_minima(), 4 * complete_.lmds.size()});
+  front_.fix(room);
+  tracker_.fix(room);
+  for (LmdSet* set : {&found_, &complete_, &next_}) set->reserve(room);
+  service_ = std::move(service);
+  searched_step_ = situation_.step;
+  ready_ = true;
+  return room;
+}
+
+void PairSearch::unfix() {
+  if (lost_) forget();
+  front_.unfix();
+  tracker_.unfix();
+  service_.reset();
+  ready_ = false;
+}
+
+void PairSearch::retire() {
+  forget();
+  ready_ = false;
+}
+
+void PairSearch::take(PairSearch& prepared) {
+  std::swap(*this, prepared);
+  plateau_ = prepared.plateau_;
+  searched_ = known_ = false;
+}
+
 void PairSearch::update(const Model& body, const Model& tool, const PairSituation& situation,
                         LmdSearch& search) {
-  searched_ = !known_ || !same(situation, situation_);
+  const SearchService::Searched* const news =
+      service_ && situation.mode == SearchMode::kDescent ? service_->newest() : nullptr;
+  searched_ = !known_ || news || !same(situation, situation_);
   work_ = {};
   if (!searched_) return;
-  if (known_ && situation.mode != situation_.mode) forget();
+  if (known_ && situation.mode != situation_.mode) change_mode();
 
   SearchOptions options;
   options.cutoff = situation.cutoff;
   options.max_overlaps = situation.max_overlaps;
-  if (known_ && found_.has_plateau()) options.parallel_tolerance *= kPlateauHysteresis;
+  if (plateau_) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
+  plateau_ = false;
   situation_ = situation;
+  if (news) adopt(body, tool, *news);
   switch (situation.mode) {
     case SearchMode::kGlobal:
       search_all(body, tool, options, search);
@@ -54,6 +92,14 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
       break;
   }
   known_ = true;
+  plateau_ = found_.has_plateau();
+}
+
+// What the other modes know is stale. Yet a service may have nothing new to say of models that stand still.
+void PairSearch::change_mode() {
+  if (!service_) return forget();
+  plateau_ = lost_ = false;
+  front_.forget();
 }
 
 void PairSearch::search_all(const Model& body, const Model& tool, const SearchOptions& options,
@@ -64,22 +110,38 @@ void PairSearch::search_all(const Model& body, const Model& tool, const SearchOp
 }
 
 void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOptions& options) {
-  front_.update(body, tool, situation_.body_from_tool, options, found_);
+  if (lost_) return finish_by_descent(body, tool, options);
+  front_.update(body, tool, situation_.body_from_tool, options, next_);
   work_.front_entries = front_.work().entries;
   work_.front_expired = front_.work().expired;
+  if (service_ && front_.tight()) service_->want_room();
+  if (!next_.cut) return std::swap(found_, next_);
+  lost_ = true;
+  tracker_.forget();
+  tracker_.adopt(body.mesh(), tool.mesh(), found_);
+  finish_by_descent(body, tool, options);
+}
+
+// What a front without room would have kept up to date.
+void PairSearch::finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options) {
+  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, options, options.cutoff, found_);
+  found_.cut = true;
+  service_->want_room();
+  work_.descents = tracker_.work().descents;
+  work_.descent_steps = tracker_.work().steps;
 }
 
 // Descent meets overlaps only where an LMD ends in one, so that it
 // asks for a search, whose overlaps stand until the next one.
-// The search looks farther than the cutoff by the way that the models can go until the next one, so that an
-// LMD is followed before its force begins.
 void PairSearch::descend(const Model& body, const Model& tool, const SearchOptions& options,
                          LmdSearch& search) {
   measure_motion(body, tool);
   SearchOptions wide = options;
-  wide.cutoff += (situation_.global_every + 1) * odometer_->rate().distance * body.mesh().frame.scale;
+  wide.cutoff = search_radius(body, options);
   age_ = age_ ? *age_ + 1 : situation_.global_every;
-  if (*age_ >= situation_.global_every) {
+  if (service_) {
+    age_ = static_cast<unsigned>(situation_.step - searched_step_);
+  } else if (*age_ >= situation_.global_every) {
     const Stopwatch watch;
     search.run(body, tool, situation_.body_from_tool, wide, complete_);
     work_.global_us = watch.elapsed_us();
@@ -88,13 +150,33 @@ void PairSearch::descend(const Model& body, const Model& tool, const SearchOptio
   }
   tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, wide, options.cutoff, found_);
   work_.age = *age_;
-  if (found_.overlapping()) age_ = situation_.global_every;
+  if (found_.overlapping() && !service_) age_ = situation_.global_every;
   for (const TrianglePair& pair : complete_.overlaps)
     if (std::find(found_.overlaps.begin(), found_.overlaps.end(), pair) == found_.overlaps.end())
       found_.add_overlap(pair, options.max_overlaps);
   found_.overlaps_cut |= complete_.overlaps_cut;
   work_.descents = tracker_.work().descents;
   work_.descent_steps = tracker_.work().steps;
+  if (service_ && (found_.cut || tracker_.tight())) service_->want_room();
+}
+
+// Farther than the cutoff by the way that the models can go until the next search, so that an LMD is followed
+// before its force begins.
+double PairSearch::search_radius(const Model& body, const SearchOptions& options) const {
+  if (service_) return std::max(options.cutoff, radius_);
+  return options.cutoff +
+         (situation_.global_every + 1) * odometer_->rate().distance * body.mesh().frame.scale;
+}
+
+void PairSearch::adopt(const Model& body, const Model& tool, const SearchService::Searched& searched) {
+  tracker_.adopt(body.mesh(), tool.mesh(), searched.found);
+  complete_.overlaps_cut = searched.found.overlaps_cut;
+  complete_.overlaps.clear();
+  for (const TrianglePair& pair : searched.found.overlaps)
+    complete_.add_overlap(pair, situation_.max_overlaps);
+  radius_ = searched.radius;
+  searched_step_ = searched.step;
+  work_.global_us = searched.search_us;
 }
 
 void PairSearch::measure_motion(const Model& body, const Model& tool) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "engine/descent/lmd_tracker.h"
@@ -15,6 +16,22 @@ enum class SearchMode {
   kCertified,  // the complete set, kept up to date by a kinetic front
 };
 
+// Another thread's part in a pair whose search may neither allocate nor block. All functions are wait-free.
+class SearchService {
+ public:
+  // A complete set, searched from scratch.
+  struct Searched {
+    LmdSet found;
+    double radius = 0.0;     // metres: the cutoff, and as far as the models move while the set is the newest
+    std::uint64_t step = 0;  // whose pose it was searched at
+    double search_us = 0.0;
+  };
+
+  virtual ~SearchService() = default;
+  virtual const Searched* newest() = 0;  // null: what it was at the last call; valid until the next
+  virtual void want_room() = 0;          // asks for a new PairSearch with more room, to be taken
+};
+
 // What a pair is searched for. The parallel tolerance is not here: PairSearch chooses it.
 struct PairSituation {
   Pose body_from_tool;
@@ -22,6 +39,7 @@ struct PairSituation {
   std::size_t max_overlaps = 0;
   SearchMode mode = SearchMode::kGlobal;
   unsigned global_every = 10;  // steps from one search to the next while descending
+  std::uint64_t step = 0;      // counts steps
 };
 
 // Work of one update beyond that of its LmdSet.
@@ -45,18 +63,39 @@ class PairSearch {
   // The pair is out of reach, or one of its models is another.
   void forget();
 
+  // Fixes the memory of all searches, at least `room` and four times what the last one used. From now on
+  // nothing is allocated, complete sets come from `service`, and what finds no room is cut, and flagged.
+  // Returns the room that it made.
+  Room fix(Room room, std::shared_ptr<SearchService> service);
+  void unfix();
+  bool ready() const { return ready_; }  // fixed, and for these models
+
+  // Takes the place of this search with what `prepared` knows and has room for; `prepared` gets the rest.
+  void take(PairSearch& prepared);
+
+  // The pair is out of reach but may soon come back.
+  void rest() { known_ = plateau_ = false; }
+
+  // One of the models is another, for which this search is not ready.
+  void retire();
+
   const LmdSet& found() const { return found_; }
   bool searched() const { return searched_; }  // by the last update, rather than reused
   const PairWork& work() const { return work_; }
 
  private:
+  void change_mode();
   void search_all(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void descend(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void keep_front(const Model& body, const Model& tool, const SearchOptions& options);
+  void finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options);
+  void adopt(const Model& body, const Model& tool, const SearchService::Searched& searched);
+  double search_radius(const Model& body, const SearchOptions& options) const;
   void measure_motion(const Model& body, const Model& tool);
 
   bool known_ = false;  // found_ is complete for situation_
   bool searched_ = false;
+  bool plateau_ = false;  // found_ has one
   PairSituation situation_;
   LmdSet found_;
   PairWork work_;
@@ -66,6 +105,13 @@ class PairSearch {
   LmdSet complete_;
   std::optional<Odometer> odometer_;
   std::optional<unsigned> age_;  // of complete_, in steps
+
+  std::shared_ptr<SearchService> service_;  // while fixed
+  bool ready_ = false;
+  bool lost_ = false;                // the front outgrew its room: descent until there is more
+  LmdSet next_;                      // of the front
+  double radius_ = 0.0;              // of the newest set from the service
+  std::uint64_t searched_step_ = 0;  // and its step
 };
 
 }  // namespace palpate

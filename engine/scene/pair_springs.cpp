@@ -1,6 +1,7 @@
 #include "engine/scene/pair_springs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate {
 namespace {
@@ -25,6 +26,11 @@ void PairSprings::reserve(std::size_t springs) {
   walls_.reserve();
   fade_.reserve();
   list_.reserve(springs + 2 * kMostHeld);
+}
+
+void PairSprings::move_to(PairSprings& larger) {
+  larger = *this;
+  std::swap(*this, larger);
 }
 
 void PairSprings::forget() {

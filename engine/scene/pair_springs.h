@@ -36,6 +36,9 @@ class PairSprings {
   // Makes room, so that updates with up to so many present springs allocate nothing.
   void reserve(std::size_t springs);
 
+  // Moves to `larger`, which has room for all that this has; it gets the memory of this.
+  void move_to(PairSprings& larger);
+
   void update(std::span<const Lmd> present, const SpringSituation& situation);
 
   // The pair is out of reach, or one of its models is another: the next update is as the first, without

@@ -18,11 +18,37 @@ Result<BodyId> Scene::add(BodyOptions options) {
 
 bool Scene::remove(BodyId id) {
   if (!bodies_.remove(id)) return false;
-  if (id == tool_) {
-    tool_ = 0;
-    forget_searches();
-  }
+  if (id == tool_) lose_tool();
   return true;
+}
+
+void Scene::place(std::unique_ptr<Body> body) {
+  if (body->options().kind == BodyKind::kTool) tool_ = body->id;
+  bodies_.place(std::move(body));
+}
+
+std::unique_ptr<Body> Scene::take(BodyId id) {
+  std::unique_ptr<Body> body = bodies_.take(id);
+  if (body && id == tool_) lose_tool();
+  return body;
+}
+
+Body* Scene::body_against(BodyId tool, BodyId id) {
+  return tool_ == tool ? bodies_.find(id) : nullptr;
+}
+
+void Scene::fix() {
+  search_.fix(Room{});
+  forces_.reserve(kMostListed.springs);
+  for (Contacts* contacts : {&contacts_, &next_}) contacts->fix(kMostListed);
+  fixed_ = true;
+}
+
+void Scene::unfix() {
+  fixed_ = false;
+  search_.unfix();
+  for (Contacts* contacts : {&contacts_, &next_}) contacts->unfix();
+  bodies_.for_each([](BodyId, Body& body) { body.against_tool.unfix(); });
 }
 
 bool Scene::set_pose(BodyId id, const Pose& pose) {
@@ -31,10 +57,12 @@ bool Scene::set_pose(BodyId id, const Pose& pose) {
   return body != nullptr;
 }
 
-void Scene::step() {
+void Scene::step(double dt) {
   const Stopwatch watch;
   next_.clear();
   forces_.clear();
+  time_step_ = dt;
+  next_.step = ++steps_;
   if (const Body* tool = bodies_.find(tool_)) {
     bodies_.for_each([&](BodyId id, Body& body) {
       if (id != tool_) touch(id, body, *tool);
@@ -45,25 +73,38 @@ void Scene::step() {
   std::swap(contacts_, next_);
 }
 
-void Scene::forget_searches() {
+// At least one overlap is asked for, because an empty list means that nothing overlaps.
+std::size_t Scene::max_overlaps() const {
+  return std::clamp<std::size_t>(options_.max_overlaps, 1, fixed_ ? kMostListed.overlaps : SIZE_MAX);
+}
+
+void Scene::lose_tool() {
+  tool_ = 0;
   bodies_.for_each([](BodyId, Body& body) {
-    body.against_tool.forget();
+    body.against_tool.retire();
     body.springs.forget();
   });
 }
 
 void Scene::touch(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
+  PairSearch& pair = body.against_tool;
   if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) {
-    body.against_tool.forget();
+    pair.ready() ? pair.rest() : pair.forget();
     body.springs.forget();
     return;
   }
-  // At least one overlap is asked for, because an empty list means that nothing overlaps.
-  const PairSituation situation{inverse(body.pose()) * tool.pose(), options_.cutoff,
-                                std::max<std::size_t>(options_.max_overlaps, 1), options_.mode,
-                                options_.global_every};
-  PairSearch& pair = body.against_tool;
+  if (fixed_ && !pair.ready()) {
+    next_.status |= kStatusWaiting;
+    body.springs.forget();
+    return;
+  }
+  const PairSituation situation{inverse(body.pose()) * tool.pose(),
+                                options_.cutoff,
+                                max_overlaps(),
+                                options_.mode,
+                                options_.global_every,
+                                steps_};
   pair.update(*body.options().model, *tool.options().model, situation, search_);
   if (pair.searched()) {
     ++next_.work.body_pairs;
@@ -71,14 +112,19 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
     next_.work.search.triangle_pairs += pair.found().work.triangle_pairs;
     next_.work.add(pair.work());
   }
-  const ContactPair contacts{
-      body.mesh(), tool.mesh(), id, tool_, body.pose(), law_of(body.options()), options_.max_overlaps};
+  const ContactPair contacts{body.mesh(),
+                             tool.mesh(),
+                             id,
+                             tool_,
+                             body.pose(),
+                             law_of(body.options()),
+                             std::min(options_.max_overlaps, max_overlaps())};
   const std::uint32_t first_set = next_.set_count;
   append_contacts(pair.found(), contacts, next_);
   body.springs.update(pair.found().lmds,
-                      {situation.body_from_tool, options_.cutoff, options_.time_step, options_.fade_time,
+                      {situation.body_from_tool, options_.cutoff, time_step_, options_.fade_time,
                        pair.found().overlapping(), options_.mode == SearchMode::kDescent});
-  next_.walled |= body.springs.is_walled();
+  if (body.springs.is_walled()) next_.status |= kStatusWall;
   forces_.add(body.springs.list(), contacts, first_set, next_);
 }
 

@@ -19,6 +19,9 @@ struct SceneOptions {
   double time_step = 0.001;    // seconds from one step to the next, positive
 };
 
+// What a step whose memory is fixed lists at most.
+inline constexpr Contacts::Most kMostListed{1'024, 4'096, Room{}.overlaps};
+
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
 // before allocates nothing. One thread at a time.
 class Scene {
@@ -38,16 +41,35 @@ class Scene {
   const Body* find(BodyId id) const { return bodies_.find(id); }
   bool set_pose(BodyId id, const Pose& pose);  // false: no such body
 
+  // For who hands out the ids itself, instead of add() and remove().
+  void place(std::unique_ptr<Body> body);
+  std::unique_ptr<Body> take(BodyId id);                               // null: no such body
+  void move_to(BodyTable::Slots& larger) { bodies_.move_to(larger); }  // their memory is exchanged
+  BodyId tool() const { return tool_; }                                // 0: none
+  Body* body_against(BodyId tool, BodyId id);  // null: no such body, or the tool is another
+
+  // Fixed, steps allocate nothing: a pair is skipped, and flagged, until it takes a search whose memory is
+  // fixed, and what finds no room is cut, and flagged.
+  void fix();
+  void unfix();
+
+  std::uint64_t steps() const { return steps_; }
+
   // Searches the tool against every body within reach. If it throws, contacts() is what it was.
-  void step();
+  void step() { step(options_.time_step); }
+  void step(double dt);  // seconds since the last step
   const Contacts& contacts() const { return contacts_; }
 
  private:
-  void forget_searches();
+  void lose_tool();
   void touch(BodyId id, Body& body, const Body& tool);
   SpringLaw law_of(const BodyOptions& body) const;
+  std::size_t max_overlaps() const;
 
   SceneOptions options_;
+  bool fixed_ = false;
+  std::uint64_t steps_ = 0;
+  double time_step_ = 0.0;
   BodyTable bodies_;
   BodyId tool_ = 0;
   LmdSearch search_;

@@ -20,6 +20,10 @@ void SpringForces::clear() {
 void SpringForces::add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,
                        Contacts& contacts) {
   for (const PairSpring& spring : springs) {
+    if (!contacts.has_room_for_spring()) {
+      contacts.status |= kStatusCut;
+      return;
+    }
     Contact contact = contact_of(spring.at, pair, first_set);
     if (spring.is_held) contact.set = kNoSet;
     contacts.springs.push_back(contact);

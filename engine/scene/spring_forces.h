@@ -15,6 +15,7 @@ namespace palpate {
 class SpringForces {
  public:
   void clear();
+  void reserve(std::size_t springs) { pushes_.reserve(springs); }
 
   // Adds the springs of a pair to contacts.springs. `first_set` is what the pair's set 0 is called there.
   void add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,

@@ -15,6 +15,9 @@ class FeaturePairTest {
  public:
   using Limits = ParallelCells::Limits;
 
+  // One call finds fewer: 42 pairs of features and the corners of 16 cells.
+  static constexpr std::size_t kMostFound = 256;
+
   FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& placement, const Limits& limits,
                   std::vector<Minimum>& found);
 

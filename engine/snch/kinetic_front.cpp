@@ -68,11 +68,37 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
             FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
             found};
   scan(tick);
+  if (found.cut) return forget();
   build_next_front(tick);
 
   std::sort(found.overlaps.begin(), found.overlaps.end());
   grouper_.group(a, b, touch, minima_, found);
   to_metres(a.frame, found);
+}
+
+void KineticFront::fix(const Room& room) {
+  fixed_ = true;
+  front_.reserve(room.front);
+  next_front_.reserve(room.front);
+  next_open_.reserve(kOpenRoom);
+  minima_.reserve(room.minima);
+  // The two fronts change places, and all of one may expire at once.
+  open_.reserve(std::max(front_.capacity(), next_front_.capacity()) + kOpenRoom);
+  grouper_.fix(minima_.capacity());
+}
+
+void KineticFront::unfix() {
+  fixed_ = false;
+  grouper_.fix(0);
+}
+
+Room KineticFront::used() const {
+  return {std::max(front_.size(), next_front_.size()), minima_.size(), 0};
+}
+
+// For what settling a batch adds to them.
+bool KineticFront::has_room_for(const std::vector<Entry>& front, const std::vector<NodePair>& open) const {
+  return !fixed_ || (has_room(front, NodeBatch::kMost) && has_room(open, NodeBatch::kMost));
 }
 
 bool KineticFront::goes_on(const Model& a, const Model& b, const SearchOptions& options) const {
@@ -103,7 +129,11 @@ void KineticFront::scan(Tick& tick) {
   }
   front_.resize(kept);
   work_.expired = open_.size();
-  while (!open_.empty()) settle_last(tick, NodeBatch::kMost, front_, open_, true);
+  while (!open_.empty()) {
+    if (!has_room_for(front_, open_)) tick.found.cut = true;
+    if (tick.found.cut) return;
+    settle_last(tick, NodeBatch::kMost, front_, open_, true);
+  }
 }
 
 // Tests the last open pairs, at most `most`, together.
@@ -146,12 +176,21 @@ Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint3
   if (certificate.holds() || !collect) return certificate;
   if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch))
     tick.found.add_overlap({a, b}, options_.max_overlaps);
-  tick.feature_test(tested_a, tested_b);
+  if (fixed_ && !has_room(minima_, FeaturePairTest::kMostFound)) {
+    tick.found.cut = true;
+  } else {
+    tick.feature_test(tested_a, tested_b);
+  }
   return {};
 }
 
 void KineticFront::build_next_front(Tick& tick) {
   for (std::size_t left = kRebuildPairs; left > 0 && !next_open_.empty();) {
+    if (!has_room_for(next_front_, next_open_)) {
+      next_front_.clear();
+      next_open_.assign(1, {0, 0});
+      return;
+    }
     const std::size_t count = std::min({left, next_open_.size(), NodeBatch::kMost});
     settle_last(tick, count, next_front_, next_open_, false);
     left -= count;

@@ -38,6 +38,13 @@ class KineticFront {
   void update(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
               LmdSet& found);
 
+  // Allocates nothing any more: a front that outgrows its room is given up, and `found` is cut, and flagged.
+  // Needs a `found` with the same room.
+  void fix(const Room& room);
+  void unfix();
+  Room used() const;  // by the last update
+  bool tight() const { return is_tight(front_) || is_tight(minima_); }
+
   // Starts afresh next time; keeps the memory.
   void forget() { odometer_.reset(); }
 
@@ -55,6 +62,7 @@ class KineticFront {
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);
+  bool has_room_for(const std::vector<Entry>& front, const std::vector<NodePair>& open) const;
   void settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front, std::vector<NodePair>& open,
                    bool collect);
   void settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
@@ -64,6 +72,7 @@ class KineticFront {
   void rebase();
   Entry entry_of(NodePair pair, const Certificate& certificate) const;
 
+  bool fixed_ = false;
   const Model* a_ = nullptr;
   const Model* b_ = nullptr;
   SearchOptions options_;

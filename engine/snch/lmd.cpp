@@ -7,7 +7,13 @@ void LmdSet::clear() {
   set_count = 0;
   overlaps.clear();
   overlaps_cut = false;
+  cut = false;
   work = {};
+}
+
+void LmdSet::reserve(const Room& room) {
+  lmds.reserve(room.minima);
+  overlaps.reserve(room.overlaps);
 }
 
 void LmdSet::add_overlap(TrianglePair pair, std::size_t limit) {

@@ -5,6 +5,7 @@
 
 #include "engine/math/vector.h"
 #include "engine/mesh/mesh.h"
+#include "engine/snch/room.h"
 
 namespace palpate {
 
@@ -41,11 +42,13 @@ struct LmdSet {
   std::uint32_t set_count = 0;         // a plateau counts once
   std::vector<TrianglePair> overlaps;  // triangles that touch or cross, up to a limit
   bool overlaps_cut = false;           // there are more than the limit
+  bool cut = false;                    // the search ran out of room: not all is here
   SearchWork work;
 
   bool overlapping() const { return overlaps_cut || !overlaps.empty(); }
   bool has_plateau() const { return lmds.size() > set_count; }
   void clear();
+  void reserve(const Room& room);
   void add_overlap(TrianglePair pair, std::size_t limit);
 };
 

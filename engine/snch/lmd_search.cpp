@@ -24,7 +24,7 @@ class Traversal {
  public:
   Traversal(const Model& a, const Model& b, const Placement& placement, double cutoff,
             const SearchOptions& options, std::vector<OpenPair>& stack, std::vector<Minimum>& minima,
-            LmdSet& found)
+            bool fixed, LmdSet& found)
       : a_(a.tree()),
         b_(b.tree()),
         a_mesh_(a.mesh()),
@@ -35,6 +35,8 @@ class Traversal {
         batch_(a.tree(), b.tree(), placement, cutoff),
         feature_test_(a.mesh(), b.mesh(), placement, {cutoff, touch_, options.parallel_tolerance}, minima),
         stack_(stack),
+        minima_(minima),
+        fixed_(fixed),
         found_(found) {}
 
   void run() {
@@ -64,7 +66,9 @@ class Traversal {
     const auto [index_a, index_b] = pair.nodes;
     const Node &a = a_.node(index_a), &b = b_.node(index_b);
     if (a.is_leaf() && b.is_leaf()) return test_triangles(a.triangle(), b.triangle(), pair);
-    if (batch_.opens_first(a, b)) {
+    if (fixed_ && !has_room(stack_, 2)) {
+      found_.cut = true;
+    } else if (batch_.opens_first(a, b)) {
       stack_.push_back({{a.second_child(), index_b}, pair.minimum, pair.contact});
       stack_.push_back({{index_a + 1, index_b}, pair.minimum, pair.contact});
     } else {
@@ -79,7 +83,12 @@ class Traversal {
                          tested_b = owned_triangle(b_, b_mesh_, b, placement_);
     if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_))
       found_.add_overlap({a, b}, max_overlaps_);
-    if (pair.minimum) feature_test_(tested_a, tested_b);
+    if (!pair.minimum) return;
+    if (fixed_ && !has_room(minima_, FeaturePairTest::kMostFound)) {
+      found_.cut = true;
+    } else {
+      feature_test_(tested_a, tested_b);
+    }
   }
 
   const Tree& a_;
@@ -92,6 +101,8 @@ class Traversal {
   NodeBatch batch_;
   FeaturePairTest feature_test_;
   std::vector<OpenPair>& stack_;
+  const std::vector<Minimum>& minima_;
+  const bool fixed_;
   LmdSet& found_;
 };
 
@@ -101,6 +112,7 @@ struct LmdSearch::Memory {
   std::vector<OpenPair> stack;
   std::vector<Minimum> minima;
   PlateauGrouper grouper;
+  bool fixed = false;
 };
 
 LmdSearch::LmdSearch() : memory_(std::make_unique<Memory>()) {}
@@ -108,13 +120,27 @@ LmdSearch::~LmdSearch() = default;
 LmdSearch::LmdSearch(LmdSearch&&) noexcept = default;
 LmdSearch& LmdSearch::operator=(LmdSearch&&) noexcept = default;
 
+void LmdSearch::fix(const Room& room) {
+  memory_->fixed = true;
+  memory_->stack.reserve(kOpenRoom);
+  std::vector<Minimum>().swap(memory_->minima);  // may have grown past what `found` has room for
+  memory_->minima.reserve(room.minima);
+  memory_->grouper.fix(memory_->minima.capacity());
+}
+
+void LmdSearch::unfix() {
+  memory_->fixed = false;
+  memory_->grouper.fix(0);
+}
+
 void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
                     LmdSet& found) {
   const ModelFrame& frame = a.mesh().frame;
   const Placement placement(frame, b.mesh().frame, a_from_b);
   found.clear();
   memory_->minima.clear();
-  Traversal(a, b, placement, options.cutoff / frame.scale, options, memory_->stack, memory_->minima, found)
+  Traversal(a, b, placement, options.cutoff / frame.scale, options, memory_->stack, memory_->minima,
+            memory_->fixed, found)
       .run();
   std::sort(found.overlaps.begin(), found.overlaps.end());
   memory_->grouper.group(a.mesh(), b.mesh(), touching_distance(placement), memory_->minima, found);

@@ -29,6 +29,10 @@ class LmdSearch {
   // Fills `found`. `a_from_b` is B's frame in A's, metres.
   void run(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options, LmdSet& found);
 
+  // Allocates nothing any more: what finds no room is cut, and flagged. Needs a `found` with the same room.
+  void fix(const Room& room);
+  void unfix();
+
  private:
   struct Memory;
   std::unique_ptr<Memory> memory_;

@@ -10,8 +10,6 @@
 namespace palpate {
 namespace {
 
-constexpr std::size_t kMaxPoints = 8;
-
 // Minima this close are one place: the rounding of a direction at their distance.
 constexpr double kMergeAngle = 4e-6;
 
@@ -94,6 +92,18 @@ void PlateauGrouper::group(const Mesh& a, const Mesh& b, double touch, std::vect
   }
 }
 
+void PlateauGrouper::fix(std::size_t minima) {
+  fixed_ = minima > 0;
+  parents_.reserve(minima);
+  grouped_.reserve(minima);
+  hubs_.reserve(minima);
+  keys_.reserve(8 * minima);  // whoever finds no room becomes a hub
+  points_.reserve(minima);
+  inset_points_.reserve(minima);
+  hull_.reserve(2 * minima + 2);
+  weights_.reserve(minima);
+}
+
 void PlateauGrouper::link_by_triangle_pairs(const Mesh& a, const Mesh& b,
                                             const std::vector<Minimum>& minima) {
   keys_.clear();
@@ -101,7 +111,8 @@ void PlateauGrouper::link_by_triangle_pairs(const Mesh& a, const Mesh& b,
   for (std::uint32_t i = 0; i < minima.size(); ++i) {
     if (minima[i].alone) continue;
     const auto of_a = triangles_at(a, minima[i].feature_a), of_b = triangles_at(b, minima[i].feature_b);
-    if (of_a.size() * of_b.size() > kManyPairs) {
+    const std::size_t pairs = of_a.size() * of_b.size();
+    if (pairs > kManyPairs || (fixed_ && !has_room(keys_, pairs))) {
       hubs_.push_back(i);
       continue;
     }

@@ -17,9 +17,14 @@ namespace palpate {
 // hull's sides beside them.
 class PlateauGrouper {
  public:
+  static constexpr std::size_t kMaxPoints = 8;  // of a plateau
+
   // Replaces `found.lmds` and `found.set_count`; points and `touch`, the distance that counts as touching,
   // are in A's normalised frame. Reorders `minima`.
   void group(const Mesh& a, const Mesh& b, double touch, std::vector<Minimum>& minima, LmdSet& found);
+
+  // Allocates nothing for so many minima any more; fix(0): it may again.
+  void fix(std::size_t minima);
 
  private:
   struct PairKey {
@@ -56,6 +61,7 @@ class PlateauGrouper {
   void thin_hull();
   void weigh_hull(const PlanePoint& middle);
 
+  bool fixed_ = false;
   std::vector<std::uint32_t> parents_;
   std::vector<PairKey> keys_;
   std::vector<std::uint32_t> hubs_;  // minima on many pairs of triangles

@@ -31,6 +31,7 @@ struct RunArguments {
   std::string mode = "global";
   std::string law = "springs";
   unsigned global_every = 10;  // ticks, while descending
+  bool threaded = false;       // a servo runs at the trajectory's own rate
   std::string out;             // empty: no file
   bool json = false;
 };

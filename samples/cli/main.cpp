@@ -65,6 +65,9 @@ void add_run(CLI::App& app, RunArguments& arguments) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_option("--law", arguments.law, "springs")->capture_default_str();
+  command->add_flag("--threaded", arguments.threaded,
+                    "Follow the trajectory at its own rate while a servo thread steps the scene, rather than "
+                    "as fast as it can");
   command->add_option("--out", arguments.out, "Write a CSV row for each tick");
   command->add_flag("--json", arguments.json, "Print the summary as JSON");
   command->callback([&] { run_trajectory(arguments); });

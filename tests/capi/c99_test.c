@@ -65,6 +65,14 @@ PIN_SIZE(plp_body_options, 120);
 PIN_OFFSET(plp_body_options, model, 8);
 PIN_OFFSET(plp_body_options, pose, 16);
 PIN_OFFSET(plp_body_options, reference_point, 80);
+PIN_SIZE(plp_servo_options, 24);
+PIN_OFFSET(plp_servo_options, rate, 8);
+PIN_OFFSET(plp_servo_options, priority, 16);
+PIN_SIZE(plp_servo_state, 160);
+PIN_OFFSET(plp_servo_state, wanted_rate, 16);
+PIN_OFFSET(plp_servo_state, work_us, 56);
+PIN_OFFSET(plp_servo_state, lateness_us, 88);
+PIN_OFFSET(plp_servo_state, result_age, 152);
 
 static int failures = 0;
 

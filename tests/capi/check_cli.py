@@ -139,6 +139,23 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(one[0], other[0])
             self.assertAlmostEqual(float(one[1]), float(other[1]), delta=1e-6)
 
+    def test_run_threaded(self):
+        rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.005 * i},{1.15 - 0.0005 * i},0.01,0,0,0,0,1" for i in range(60)]
+        poses = self.write("slow.csv", "\n".join(rows))
+        for mode in ("global", "descent", "certified"):
+            out = str(Path(self.folder.name) / f"threaded_{mode}.csv")
+            summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--mode",
+                                             mode, "--threaded", "--out", out, "--json"))
+            with open(out, newline="") as file:
+                ticks = list(csv.DictReader(file))
+            self.assertEqual([float(tick["t"]) for tick in ticks], [0.005 * i for i in range(60)])
+            self.assertGreater(summary["servo"]["ticks"], 0)
+            self.assertGreater(summary["servo"]["work_us"]["max"], 0)
+            self.assertGreater(summary["ticks_in_contact"], 0)
+            felt = [float(tick["min_distance"]) for tick in ticks if tick["lmds"] == "1"]
+            self.assertTrue(set(round((distance - 0.15) / 0.0005, 6) for distance in felt) <= set(range(-59, 1)), felt)
+            self.assertEqual(felt, sorted(felt, reverse=True), "no outcome comes before an older one")
+
     def test_mistakes(self):
         poses = self.write("poses.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,2,3\n")
         header = self.write("header.csv", "time,x\n")
@@ -149,6 +166,8 @@ class CommandLine(unittest.TestCase):
         self.assertIn("poses.csv:3", self.complaint(*run, poses))
         self.assertIn("header.csv:1", self.complaint(*run, header))
         self.assertIn("certified", self.complaint(*run, poses, "--mode", "telepathic"))
+        backwards = self.write("backwards.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n0,0,0,0,0,0,0,1\n")
+        self.assertIn("backwards.csv", self.complaint(*run, backwards, "--threaded"))
         self.assertIn("--global-every", self.complaint(*run, poses, "--global-every", "0"))
         self.assertIn("springs", self.complaint(*run, poses, "--law", "smooth"))
         self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", "1", "2", "--cutoff", "1"))

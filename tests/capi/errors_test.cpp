@@ -23,6 +23,7 @@ TEST(Errors, EveryReasonHasItsCode) {
       {ErrorCode::kNonFinite, PLP_ERROR_NON_FINITE},
       {ErrorCode::kLimit, PLP_ERROR_LIMIT},
       {ErrorCode::kUnsafePath, PLP_ERROR_UNSAFE_PATH},
+      {ErrorCode::kWrongState, PLP_ERROR_WRONG_STATE},
       {ErrorCode::kInternal, PLP_ERROR_INTERNAL},
   };
   for (const auto& [reason, code] : codes) {

@@ -70,8 +70,8 @@ TEST_P(WallInAPlate, PushesByTheDepthAllTheWayInAndOut) {
   int walled = 0;
   const auto force_at = [&](double depth) {
     const Contacts& contacts = pressed.step_to(at_depth(depth));
-    EXPECT_EQ(contacts.walled, contacts.overlap) << "at depth " << depth;
-    walled += contacts.walled;
+    EXPECT_EQ(contacts.walled(), contacts.overlap) << "at depth " << depth;
+    walled += contacts.walled();
     EXPECT_NEAR(contacts.wrench.force.x, 0.0, 1e-9);
     EXPECT_NEAR(contacts.wrench.force.y, 0.0, 1e-9);
     return contacts.wrench.force.z;
@@ -98,17 +98,17 @@ TEST_P(WallInAPlate, IsBounded) {
 TEST_P(WallInAPlate, IsDroppedWhenTheToolIsPutElsewhere) {
   PressedScene pressed(plate(), small_box(), at_depth(-0.001), PressedScene::options_with(GetParam().mode));
   for (double depth = -0.001; depth < 0.004; depth += kStep) pressed.step_to(at_depth(depth));
-  EXPECT_TRUE(pressed.scene().contacts().walled);
+  EXPECT_TRUE(pressed.scene().contacts().walled());
   Pose beside = at_depth(-0.005);
   beside.translation.x += 0.1;
   const Contacts& away = pressed.step_to(beside);
-  EXPECT_FALSE(away.walled);
+  EXPECT_FALSE(away.walled());
   EXPECT_EQ(away.springs.size(), away.lmds.size());
   EXPECT_NEAR(away.wrench.force.z, kStiffness * 0.005, 1e-6);
   beside.translation.z -= 0.02;  // straight into the plate
   const Contacts& inside = pressed.step_to(beside);
   EXPECT_TRUE(inside.overlap);
-  EXPECT_FALSE(inside.walled);
+  EXPECT_FALSE(inside.walled());
   EXPECT_EQ(inside.wrench.force, DVec3(0.0));
 }
 
@@ -117,7 +117,7 @@ TEST_P(WallInAPlate, IsNoneWherePairsOverlapFromTheFirstStepOn) {
   for (int i = 0; i < 20; ++i) {
     const Contacts& contacts = pressed.step_to(at_depth(0.004 - 1e-4 * i));
     EXPECT_TRUE(contacts.overlap);
-    EXPECT_FALSE(contacts.walled);
+    EXPECT_FALSE(contacts.walled());
     EXPECT_EQ(contacts.wrench.force, DVec3(0.0));
   }
 }
@@ -166,7 +166,7 @@ TEST_P(WallInAWedge, HoldsBothWays) {
     const bool inside = x >= 0 || z >= 0;
     // Descent learns of the end of an overlap by its next search.
     if (inside || GetParam() != SearchMode::kDescent) {
-      EXPECT_EQ(contacts.walled, inside);
+      EXPECT_EQ(contacts.walled(), inside);
     }
   };
   for (int i = 0; i < 130; ++i) expect_held(-0.008 + 0.97e-4 * i, -0.0079 + 1.01e-4 * i);  // into both
@@ -195,7 +195,7 @@ TEST(WallInASheet, EndsBehindIt) {
       most = std::max(most, force);
     }
     EXPECT_NEAR(most, 2.0 * kStiffness * kCutoff, 1e-6);
-    EXPECT_FALSE(pressed.scene().contacts().walled);
+    EXPECT_FALSE(pressed.scene().contacts().walled());
     EXPECT_EQ(pressed.scene().contacts().wrench.force, DVec3(0.0));
   }
 }
@@ -220,7 +220,7 @@ TEST_P(WallOnAnEdge, PushesByTheDepthAndReturns) {
     const Contacts& contacts = pressed.step_to(at_depth(depth));
     EXPECT_NEAR(contacts.wrench.force.z, kStiffness * std::max(0.0, kCutoff + depth), 1e-5)
         << "depth " << depth;
-    walled += contacts.walled;
+    walled += contacts.walled();
   }
   EXPECT_GT(walled, 100);
 }
@@ -250,7 +250,7 @@ TEST(WallAndEnergy, AClosedCycleGivesNothing) {
       const DVec3 moved = at_phase(i).translation - at_phase(i - 1).translation;
       energy += 0.5 * glm::dot(contacts.wrench.force + force_before, moved);
       force_before = contacts.wrench.force;
-      walled += contacts.walled;
+      walled += contacts.walled();
     }
     std::printf("energy of three cycles into a plate and along: %.2e J%s\n", energy,
                 lossy ? " with damping and friction" : "");
@@ -283,12 +283,12 @@ TEST(WallInABowl, HasNoKickAtTheSurface) {
     for (int i = 0; i <= 400; ++i) {
       const double way = 0.038 + 0.016 * std::sin(M_PI * i / 400.0);
       const Contacts& contacts = pressed.step_to(reaching(way));
-      if (contacts.walled) {
+      if (contacts.walled()) {
         worst = std::max(worst, glm::length(contacts.wrench.force - before));
         most = std::max(most, glm::length(contacts.wrench.force));
         EXPECT_GT(glm::dot(contacts.wrench.force, -down), 0.0) << "it pushes out";
       }
-      walled += contacts.walled;
+      walled += contacts.walled();
       before = contacts.wrench.force;
       forces.push_back(before);
     }

@@ -1,6 +1,7 @@
 """Scenes: bodies, their poses, and what the tool feels."""
 
 import math
+import time
 import unittest
 
 import palpate
@@ -162,3 +163,30 @@ class SceneTest(unittest.TestCase):
             body = self.scene.add(model, beside(1.1, 1.1))
         self.assertGreater(self.scene.step().set_count, 1)
         self.assertNotEqual(body.id, 0)
+
+    def test_a_servo_steps_the_scene(self):
+        expected = self.scene.step().wrench
+        self.assertFalse(self.scene.servo.running)
+        self.scene.start(rate=500, priority=None)
+        self.addCleanup(self.scene.stop)
+        with self.assertRaises(palpate.WrongState):
+            self.scene.step()
+        with self.assertRaises(palpate.WrongState):
+            self.scene.start()
+        while self.scene.servo.ticks < 3:
+            time.sleep(0.001)
+        self.assertEqual(self.scene.contacts().wrench, expected)
+        self.assertEqual(self.scene.contacts().status, 0)
+        state = self.scene.servo
+        self.assertTrue(state.running)
+        self.assertEqual((state.wanted_rate, state.priority, state.cpu), (500.0, None, None))
+        self.assertGreater(state.work.max, 0.0)
+        self.tool.pose = beside(1.05)
+        while abs(self.scene.contacts().min_distance - 0.05) > 1e-9:
+            time.sleep(0.001)
+        palpate.shutdown_all()
+        self.assertFalse(self.scene.servo.running)
+        self.assertAlmostEqual(self.scene.step().min_distance, 0.05, delta=1e-9)
+        for wrong in ({"rate": -1.0}, {"rate": math.nan}, {"priority": 100}, {"cpu": 5000}):
+            with self.assertRaises(palpate.InvalidArgument):
+                self.scene.start(**wrong)

@@ -90,6 +90,14 @@ namespace Palpate
         }
     }
 
+    /// <summary>PLP_ERROR_WRONG_STATE: not while the scene is in this state, such as stepped by its servo.</summary>
+    public sealed class PalpateWrongStateException : PalpateException
+    {
+        internal PalpateWrongStateException(string message) : base(Raw.PLP_ERROR_WRONG_STATE, message)
+        {
+        }
+    }
+
     /// <summary>PLP_ERROR_INTERNAL: a defect of this library.</summary>
     public sealed class PalpateInternalException : PalpateException
     {
@@ -115,6 +123,7 @@ namespace Palpate
                 case Raw.PLP_ERROR_NON_FINITE: return new PalpateNonFiniteException(message);
                 case Raw.PLP_ERROR_LIMIT: return new PalpateLimitException(message);
                 case Raw.PLP_ERROR_UNSAFE_PATH: return new PalpateUnsafePathException(message);
+                case Raw.PLP_ERROR_WRONG_STATE: return new PalpateWrongStateException(message);
                 case Raw.PLP_ERROR_INTERNAL: return new PalpateInternalException(message);
                 default: return new PalpateException(code, message);
             }

@@ -30,6 +30,7 @@ namespace Palpate
         public const int PLP_ERROR_NON_FINITE = -9;
         public const int PLP_ERROR_LIMIT = -10;
         public const int PLP_ERROR_UNSAFE_PATH = -11;
+        public const int PLP_ERROR_WRONG_STATE = -12;
         public const int PLP_ERROR_INTERNAL = -100;
 
         public const int PLP_LOG_ERROR = 0;
@@ -56,6 +57,8 @@ namespace Palpate
         public const int PLP_FEATURE_EDGE = 1;
         public const int PLP_FEATURE_VERTEX = 2;
 
+        public const int PLP_STATUS_CUT = 2;
+        public const int PLP_STATUS_WAITING = 4;
         public const int PLP_STATUS_WALL = 8;
 
         public const int PLP_MODE_GLOBAL = 0;
@@ -264,6 +267,37 @@ namespace Palpate
             public double friction;
         }
 
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_servo_options
+        {
+            public uint struct_size;
+            public uint flags;
+            public double rate;
+            public int priority;
+            public int cpu;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_servo_state
+        {
+            public uint struct_size;
+            public int running;
+            public int priority;
+            public int cpu;
+            public double wanted_rate;
+            public double rate;
+            public ulong ticks;
+            public ulong missed;
+            public ulong skipped;
+            public fixed double work_us[4];
+            public fixed double lateness_us[4];
+            public ulong waiting_ticks;
+            public ulong cut_ticks;
+            public ulong preparations;
+            public ulong searches;
+            public ulong result_age;
+        }
+
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern uint plp_version();
 
@@ -380,5 +414,23 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_get_contacts(IntPtr scene, plp_contacts* contacts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_servo_options_init(plp_servo_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_start(IntPtr scene, plp_servo_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_stop(IntPtr scene);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_servo_state_init(plp_servo_state* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_servo(IntPtr scene, plp_servo_state* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_shutdown_all();
     }
 }

@@ -69,6 +69,7 @@ enum {
   PLP_ERROR_NON_FINITE = -9,   /**< an infinite or NaN coordinate */
   PLP_ERROR_LIMIT = -10,       /**< larger than a limit that the options or this library set */
   PLP_ERROR_UNSAFE_PATH = -11, /**< a glTF names a buffer outside its own folder */
+  PLP_ERROR_WRONG_STATE = -12, /**< not while the scene is in this state, such as stepped by its servo */
   PLP_ERROR_INTERNAL = -100    /**< a defect of this library */
 };
 
@@ -343,7 +344,9 @@ typedef struct plp_work {
 
 /** How an outcome is out of the ordinary: bits of plp_contacts::status. */
 typedef enum plp_status {
-  PLP_STATUS_WALL = 8 /**< surfaces overlap and walls hold the tool */
+  PLP_STATUS_CUT = 2,     /**< a servo found more than it had room for; it gets more */
+  PLP_STATUS_WAITING = 4, /**< a near body pushes nothing yet: it is being made ready for the servo */
+  PLP_STATUS_WALL = 8     /**< surfaces overlap and walls hold the tool */
 } plp_status;
 
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
@@ -462,7 +465,8 @@ PLP_API void plp_scene_options_init(plp_scene_options* options);
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene);
 
-/** @brief Releases a scene and its bodies. Null is allowed. @return PLP_ERROR_INVALID_HANDLE.
+/** @brief Releases a scene and its bodies and stops its servo. Null is allowed. @return
+ * PLP_ERROR_INVALID_HANDLE.
  *  @threadsafety object @since 0.1 */
 PLP_API plp_result plp_scene_release(plp_scene scene);
 
@@ -490,57 +494,130 @@ PLP_API void plp_body_options_init(plp_body_options* options);
 
 /** @brief Adds a body. The scene keeps the model.
  *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT (also for a second tool), _LIMIT or _OUT_OF_MEMORY.
- *  @threadsafety object @since 0.1 */
+ *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_add_body(plp_scene scene, const plp_body_options* options, plp_body* body);
 
-/** @brief Removes a body. @return PLP_ERROR_INVALID_HANDLE. @threadsafety object @since 0.1 */
+/** @brief Removes a body. @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_remove_body(plp_scene scene, plp_body body);
 
 /** @brief Sets a body's pose. A static body may be moved, too.
- *  @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_pose(plp_scene scene, plp_body body, const plp_pose* pose);
 
-/** @brief Reads a body's pose. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
- *  @threadsafety object @since 0.1 */
+/** @brief Reads a body's pose, as it was set last. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_get_pose(plp_scene scene, plp_body body, plp_pose* pose);
 
 /** @brief Sets the cutoff (units of the scene's space, positive). @return PLP_ERROR_INVALID_HANDLE or
- *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff);
 
 /** @brief Sets how LMDs are found from the next step on (plp_mode). @return PLP_ERROR_INVALID_HANDLE or
- *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_mode(plp_scene scene, int32_t mode);
 
 /** @brief Sets the stiffness (N/m, not negative). @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
- *  @threadsafety object @since 0.1 */
+ *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness);
 
 /** @brief Sets the damping of closing springs (N·s/m, not negative). @return PLP_ERROR_INVALID_HANDLE or
- *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_damping(plp_scene scene, double damping);
 
 /** @brief Sets the bound on the stiffness of all springs together (N/m; 0: none). @return
- *  PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_stiffness_cap(plp_scene scene, double stiffness_cap);
 
 /** @brief Sets the coefficient of friction (not negative). @return PLP_ERROR_INVALID_HANDLE or
- *  _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+ *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_friction(plp_scene scene, double friction);
 
 /**
  * @brief Searches the tool against every other body that is near and computes the wrench on the tool about
  * its reference point, in the scene's space. Without a tool there are no contacts. The same inputs give the
  * same bits.
- * @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY; then the last outcome is kept.
+ * @return PLP_ERROR_INVALID_HANDLE, _WRONG_STATE (its servo runs) or _OUT_OF_MEMORY; then the last outcome is
+ * kept.
  * @threadsafety object @since 0.1
  */
 PLP_API plp_result plp_scene_step(plp_scene scene);
 
-/** @brief Reads the outcome of the last step. The arrays are valid until the next step or the scene's
- * release.
- *  @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety object @since 0.1 */
+/** @brief Reads the outcome of the last step, the caller's or the servo's. The arrays are valid until the
+ * next plp_scene_step or plp_scene_get_contacts of this scene, or its release; a running servo does not touch
+ * them.
+ *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT or _OUT_OF_MEMORY.
+ *  @threadsafety object (beside plp_scene_step alone; all else may go on meanwhile) @since 0.1 */
 PLP_API plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contacts);
+
+/* ------------------------------------------------------------------------------------------------------------
+ * servo */
+
+/** How the servo of a scene runs. */
+typedef struct plp_servo_options {
+  uint32_t struct_size;
+  uint32_t flags;   /**< 0; others are refused */
+  double rate;      /**< steps a second, 1 to 20000; 0 for 1000 */
+  int32_t priority; /**< of SCHED_FIFO, 1 to 99; 0: a usual one; -1: none. Only if the system allows. */
+  int32_t cpu;      /**< the only one that it runs on, if the system allows; -1: any */
+} plp_servo_options;
+
+/** @brief Fills `options`: 1000 steps a second, real-time priority if the system allows, any processor.
+ *  @threadsafety any @since 0.1 */
+PLP_API void plp_servo_options_init(plp_servo_options* options);
+
+/**
+ * @brief Starts a scene's servo: a thread of this library that steps the scene at a fixed rate, and another
+ * that searches beside it. Bodies may be added, removed and moved and settings changed meanwhile from any
+ * thread; a change takes effect in the next step. plp_scene_get_contacts reads the newest outcome. The servo
+ * never waits and never allocates: a body that comes near is first made ready beside it (PLP_STATUS_WAITING),
+ * and no more than 1,024 points of LMDs and 1,024 overlaps are listed, while the wrench is of all
+ * (PLP_STATUS_CUT). What is near already is ready when this returns. In PLP_MODE_DESCENT searches from
+ * scratch go on continuously; plp_scene_options::global_every is not used.
+ * @param options null for the defaults.
+ * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it runs already), _LIMIT (the system
+ * allows no more threads) or _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_scene_start(plp_scene scene, const plp_servo_options* options);
+
+/** @brief Stops a scene's servo and waits until it rests, and until a search that is under way has ended. The
+ * scene keeps its bodies, settings and last outcome and may be stepped by plp_scene_step. Does nothing if no
+ * servo runs.
+ *  @return PLP_ERROR_INVALID_HANDLE. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_stop(plp_scene scene);
+
+/** How a servo runs or, if it was stopped, ran. Times are in microseconds: the 50th, 99th and 99.9th
+ * percentile, which may be an eighth too long, and the maximum. */
+typedef struct plp_servo_state {
+  uint32_t struct_size;
+  int32_t running;        /**< 1: the servo runs */
+  int32_t priority;       /**< of SCHED_FIFO as the system granted it; 0: none */
+  int32_t cpu;            /**< the only one that it runs on, as granted; -1: any */
+  double wanted_rate;     /**< steps a second */
+  double rate;            /**< as measured, over the last second or so */
+  uint64_t ticks;         /**< steps since the start */
+  uint64_t missed;        /**< steps that ended after the next one's time */
+  uint64_t skipped;       /**< steps left out because their time had passed: none is made up for */
+  double work_us[4];      /**< of a step, its outcome handed over */
+  double lateness_us[4];  /**< from a step's time to its begin */
+  uint64_t waiting_ticks; /**< steps with PLP_STATUS_WAITING */
+  uint64_t cut_ticks;     /**< steps with PLP_STATUS_CUT */
+  uint64_t preparations;  /**< pairs of models made ready for the servo */
+  uint64_t searches;      /**< PLP_MODE_DESCENT: searches from scratch beside the servo */
+  uint64_t result_age; /**< PLP_MODE_DESCENT: steps since the pose of the search the newest LMDs come from */
+} plp_servo_state;
+
+/** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_servo_state_init(plp_servo_state* state);
+
+/** @brief Tells how a scene's servo runs. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_get_servo(plp_scene scene, plp_servo_state* state);
+
+/** @brief Stops the servos of all scenes, as plp_scene_stop does. It happens by itself when the process
+ * exits; closing the library leaves it in memory and its servos running. May be called more than once.
+ *  @return PLP_OK. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_shutdown_all(void);
 
 #ifdef __cplusplus
 }

@@ -11,14 +11,16 @@ Units are metres, seconds, newtons and newton-metres; frames are right-handed; q
 
 from . import _raw
 from ._errors import (BadFormat, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
-                      LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported)
+                      LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported,
+                      WrongState)
 from ._records import Records
-from .contacts import Contacts, Feature, Work, Wrench
+from .contacts import Contacts, Feature, Status, Work, Wrench
 from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
 from .query import QueryResult, query
 from .scene import Body, Scene
+from .servo import Latency, ServoState, shutdown_all
 from .space import Space
 
 
@@ -28,8 +30,9 @@ def version() -> str:
 
 
 __all__ = [
-    "BadFormat", "Body", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError",
-    "InvalidArgument", "InvalidHandle", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
-    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "Space",
-    "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "query", "set_log_callback", "version",
+    "BadFormat", "Body", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError", "InvalidArgument",
+    "InvalidHandle", "Latency", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
+    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "ServoState",
+    "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "query",
+    "set_log_callback", "shutdown_all", "version",
 ]

@@ -69,6 +69,12 @@ class UnsafePath(PalpateError):
     code = _raw.PLP_ERROR_UNSAFE_PATH
 
 
+class WrongState(PalpateError):
+    """Not now, such as stepping a scene whose servo runs."""
+
+    code = _raw.PLP_ERROR_WRONG_STATE
+
+
 class InternalError(PalpateError):
     """A defect of the library."""
 
@@ -76,7 +82,7 @@ class InternalError(PalpateError):
 EXCEPTIONS: dict[int, type[PalpateError]] = {
     exception.code: exception
     for exception in (InvalidArgument, InvalidHandle, OutOfMemory, FileNotFound, FileReadError, BadFormat, Unsupported,
-                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, InternalError)
+                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, WrongState, InternalError)
 }
 
 

@@ -25,6 +25,7 @@ PLP_ERROR_NO_TRIANGLES = -8
 PLP_ERROR_NON_FINITE = -9
 PLP_ERROR_LIMIT = -10
 PLP_ERROR_UNSAFE_PATH = -11
+PLP_ERROR_WRONG_STATE = -12
 PLP_ERROR_INTERNAL = -100
 
 PLP_LOG_ERROR = 0
@@ -51,6 +52,8 @@ PLP_FEATURE_FACE = 0
 PLP_FEATURE_EDGE = 1
 PLP_FEATURE_VERTEX = 2
 
+PLP_STATUS_CUT = 2
+PLP_STATUS_WAITING = 4
 PLP_STATUS_WALL = 8
 
 PLP_MODE_GLOBAL = 0
@@ -244,6 +247,37 @@ class plp_body_options(Structure):
     ]
 
 
+class plp_servo_options(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("rate", c_double),
+        ("priority", c_int32),
+        ("cpu", c_int32),
+    ]
+
+
+class plp_servo_state(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("running", c_int32),
+        ("priority", c_int32),
+        ("cpu", c_int32),
+        ("wanted_rate", c_double),
+        ("rate", c_double),
+        ("ticks", c_uint64),
+        ("missed", c_uint64),
+        ("skipped", c_uint64),
+        ("work_us", c_double * 4),
+        ("lateness_us", c_double * 4),
+        ("waiting_ticks", c_uint64),
+        ("cut_ticks", c_uint64),
+        ("preparations", c_uint64),
+        ("searches", c_uint64),
+        ("result_age", c_uint64),
+    ]
+
+
 # A handle is an opaque value of a pointer's size; ctypes gives a null one back as None.
 _handle = c_void_p
 _result = c_int32
@@ -305,3 +339,10 @@ plp_scene_set_stiffness_cap = _function("plp_scene_set_stiffness_cap", _result, 
 plp_scene_set_friction = _function("plp_scene_set_friction", _result, _handle, c_double)
 plp_scene_step = _function("plp_scene_step", _result, _handle)
 plp_scene_get_contacts = _function("plp_scene_get_contacts", _result, _handle, POINTER(plp_contacts))
+
+plp_servo_options_init = _function("plp_servo_options_init", None, POINTER(plp_servo_options))
+plp_scene_start = _function("plp_scene_start", _result, _handle, POINTER(plp_servo_options))
+plp_scene_stop = _function("plp_scene_stop", _result, _handle)
+plp_servo_state_init = _function("plp_servo_state_init", None, POINTER(plp_servo_state))
+plp_scene_get_servo = _function("plp_scene_get_servo", _result, _handle, POINTER(plp_servo_state))
+plp_shutdown_all = _function("plp_shutdown_all", _result)

@@ -18,6 +18,13 @@ class Feature(enum.IntEnum):
     VERTEX = _raw.PLP_FEATURE_VERTEX
 
 
+class Status(enum.IntFlag):
+    """What is not as it should be in an outcome; 0: all is well."""
+
+    CUT = _raw.PLP_STATUS_CUT
+    WAITING = _raw.PLP_STATUS_WAITING
+
+
 class Wrench(NamedTuple):
     """A force in newtons and a torque in newton-metres."""
 
@@ -78,6 +85,10 @@ class Contacts:
     def overlaps(self) -> Records:
         """Pairs of triangles that touch or cross: body_a, body_b, triangle_a, triangle_b."""
         return view(self._overlap_span())
+
+    @property
+    def status(self) -> Status:
+        return Status(self._struct.status)
 
     @property
     def overlap(self) -> bool:

@@ -6,11 +6,12 @@ from typing import Literal
 
 from . import _raw
 from ._errors import InvalidArgument, InvalidHandle, check
-from ._native import Closing, create
+from ._native import Closing, Native, create
 from ._numbers import doubles, uint32
 from .contacts import Contacts, new_contacts_struct
 from .model import Model
 from .pose import Pose, PoseLike, pose_of, pose_struct
+from .servo import ServoState, servo_options, servo_state
 from .space import Space, space_struct
 
 Kind = Literal["static", "moving", "tool"]
@@ -56,7 +57,8 @@ class Body:
 
 
 class Scene(Closing):
-    """Bodies and a tool. Poses, points and the cutoff are in its `space`. One thread at a time may use it."""
+    """Bodies and a tool. Poses, points and the cutoff are in its `space`. Any thread may change it; one at a time may
+    step it and read contacts."""
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
                  mode: Mode = "certified",
@@ -176,7 +178,33 @@ class Scene(Closing):
         if native is None:
             raise InvalidHandle("the scene is closed")
         check(_raw.plp_scene_step(native.value))
+        return self._newest(native)
+
+    def contacts(self) -> Contacts:
+        """The outcome of the last step, that of a running servo too. Its arrays are valid until the next call of this or
+        of step(); copy() keeps them."""
+        native = self._native
+        if native is None:
+            raise InvalidHandle("the scene is closed")
+        return self._newest(native)
+
+    def _newest(self, native: Native) -> Contacts:
         native.generation += 1
         struct = new_contacts_struct()
         check(_raw.plp_scene_get_contacts(native.value, struct))
         return Contacts(struct, native)
+
+    def start(self, rate: float = 1000.0, *, priority: int | None = 0, cpu: int | None = None) -> None:
+        """Starts a servo: a native thread that steps the scene `rate` times a second, and another that searches beside
+        it. Bodies and settings may be changed meanwhile; contacts() reads the newest outcome. `priority`: of SCHED_FIFO,
+        0 for a usual one, None for none. `cpu`: the only one it runs on. Both only if the system allows: see servo."""
+        check(_raw.plp_scene_start(self._handle, servo_options(rate, priority, cpu)))
+
+    def stop(self) -> None:
+        """Stops the servo, if one runs, and waits until it rests."""
+        check(_raw.plp_scene_stop(self._handle))
+
+    @property
+    def servo(self) -> ServoState:
+        """How the servo runs or, if it was stopped, ran."""
+        return servo_state(self._handle)

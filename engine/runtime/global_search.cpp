@@ -1,0 +1,128 @@
+#include "engine/runtime/global_search.h"
+
+#include <algorithm>
+
+#include "engine/base/clock.h"
+#include "engine/runtime/scene_commands.h"
+
+namespace palpate {
+namespace {
+
+// A pair that was not near for so many rounds, about a second, gives its memory back.
+constexpr std::uint64_t kFarRounds = 1'000;
+
+// A set is the newest from its search's end to the next one's, and old as its search was: two searches, and
+// one more for a hand that speeds up.
+constexpr double kSearchesAhead = 3.0;
+
+// A search looks at least and at most so much farther than the cutoff, relative to it.
+constexpr double kLeastAhead = 0.1;
+constexpr double kMostAhead = 2.0;
+
+// How much less parallel a plateau may become before it is one no more: as PairSearch has it.
+constexpr double kPlateauHysteresis = 4.0;
+
+std::size_t overlap_limit(const SceneOptions& options) {
+  return std::clamp<std::size_t>(options.max_overlaps, 1, kMostListed.overlaps);
+}
+
+bool same(const Pose& one, const Pose& other) {
+  return one.rotation == other.rotation && one.translation == other.translation;
+}
+
+}  // namespace
+
+bool GlobalSearch::run(const Survey& survey) {
+  ++round_;
+  bool worked = false;
+  for (const Survey::NearBody& body : survey.near) {
+    Pair& pair = pairs_[body.id];
+    pair.near_in = round_;
+    worked |= prepare(survey, body, pair);
+    if (survey.options.mode == SearchMode::kDescent) {
+      worked |= search(survey, body, pair);
+    } else {
+      pair.searched.reset();
+    }
+  }
+  let_go_of_far_pairs();
+  return worked;
+}
+
+bool GlobalSearch::prepare(const Survey& survey, const Survey::NearBody& body, Pair& pair) {
+  if (pair.tool != survey.tool) pair.live = nullptr;
+  const bool outgrown = pair.live && pair.live->grant_room();
+  if (pair.live && !outgrown) return false;
+  if (outgrown) {
+    pair.room.front *= 2;
+    pair.room.minima *= 2;
+  }
+  const PairSituation situation{inverse(body.pose) * survey.tool_pose, survey.options.cutoff,
+                                overlap_limit(survey.options),         survey.options.mode,
+                                survey.options.global_every,           survey.step};
+  auto command = std::make_unique<ExchangeSearch>(body.id, survey.tool);
+  auto live = std::make_shared<LivePair>();
+  static_cast<void>(body.model->tree());
+  static_cast<void>(survey.tool_model->tree());
+  if (situation.mode != SearchMode::kGlobal)
+    command->search.update(*body.model, *survey.tool_model, situation, search_);
+  command->springs.reserve(command->search.fix(pair.room, live).minima);
+  pair.live = std::move(live);
+  pair.tool = survey.tool;
+  to_servo_.post(command.release());
+  preparations_.add(1);
+  return true;
+}
+
+bool GlobalSearch::search(const Survey& survey, const Survey::NearBody& body, Pair& pair) {
+  const Pose body_from_tool = inverse(body.pose) * survey.tool_pose;
+  if (pair.searched && same(pair.searched->body_from_tool, body_from_tool) &&
+      pair.searched->cutoff == survey.options.cutoff)
+    return false;
+  SearchOptions options;
+  options.cutoff = search_radius(survey, body, body_from_tool, pair);
+  options.max_overlaps = overlap_limit(survey.options);
+  if (pair.plateau) options.parallel_tolerance *= kPlateauHysteresis;
+
+  const Stopwatch watch;
+  SearchService::Searched& draft = pair.live->draft();
+  search_.run(*body.model, *survey.tool_model, body_from_tool, options, draft.found);
+  draft.radius = options.cutoff;
+  draft.step = survey.step;
+  draft.search_us = watch.elapsed_us();
+  pair.plateau = draft.found.has_plateau();
+  pair.searched = Searched{body_from_tool, survey.options.cutoff};
+  pair.live->publish();
+  searches_.add(1);
+  return true;
+}
+
+double GlobalSearch::search_radius(const Survey& survey, const Survey::NearBody& body,
+                                   const Pose& body_from_tool, Pair& pair) {
+  const ModelFrame &to = body.model->mesh().frame, &from = survey.tool_model->mesh().frame;
+  const Placement placement(to, from, body_from_tool);
+  const double cutoff = survey.options.cutoff;
+  double moved = 0.0;
+  if (pair.odometer && pair.searched) {
+    pair.odometer->advance(placement);
+    moved = pair.odometer->rate().distance * to.scale;
+  } else {
+    pair.odometer.emplace((survey.tool_model->centre() - from.origin) / from.scale,
+                          (survey.tool_model->radius() + cutoff) / to.scale);
+    pair.odometer->start(placement);
+  }
+  return cutoff + std::clamp(kSearchesAhead * moved, kLeastAhead * cutoff, kMostAhead * cutoff);
+}
+
+void GlobalSearch::let_go_of_far_pairs() {
+  for (auto pair = pairs_.begin(); pair != pairs_.end();) {
+    if (round_ - pair->second.near_in < kFarRounds) {
+      ++pair;
+      continue;
+    }
+    if (pair->second.live) to_servo_.post(new ExchangeSearch(pair->first, pair->second.tool));
+    pair = pairs_.erase(pair);
+  }
+}
+
+}  // namespace palpate

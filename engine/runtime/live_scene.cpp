@@ -1,0 +1,278 @@
+#include "engine/runtime/live_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "engine/runtime/scene_commands.h"
+
+namespace palpate {
+namespace {
+
+// So that no flood of changes makes a tick late: the rest waits for the next.
+constexpr std::size_t kMostCommandsATick = 256;
+
+// Pairs are made ready so long before they can be within the cutoff, in seconds, and always this much farther
+// out, relative to it.
+constexpr double kReadyAhead = 0.1;
+constexpr double kReadyReach = 2.0;
+
+void destroy_all(Letter* letter) {
+  while (letter) delete std::exchange(letter, letter->next());
+}
+
+}  // namespace
+
+LiveScene::LiveScene(const SceneOptions& options) : options_(options), scene_(options) {}
+
+LiveScene::~LiveScene() {
+  go_still();
+}
+
+Result<BodyId> LiveScene::add(BodyOptions options) {
+  const std::lock_guard lock(mutex_);
+  const bool is_tool = options.kind == BodyKind::kTool;
+  if (is_tool && tool_ != 0) return Error{ErrorCode::kInvalidArgument, "the scene has a tool already"};
+  const BodyId id = ids_.take();
+  if (id == 0) return Error{ErrorCode::kLimit, "the scene is full"};
+  try {
+    place(id, std::move(options));
+  } catch (...) {
+    ids_.give_back(id);
+    throw;
+  }
+  if (is_tool) tool_ = id;
+  return id;
+}
+
+void LiveScene::place(BodyId id, BodyOptions options) {
+  if (slot_of(id) >= records_.size()) records_.resize(slot_of(id) + 1);
+  auto record = std::make_unique<BodyRecord>(id);
+  record->kind = options.kind;
+  record->model = options.model;
+  record->pose = options.pose;
+  auto body = std::make_unique<Body>(std::move(options));
+  body->id = id;
+  carry_out(std::make_unique<AddBody>(std::move(body), slots_for(id)));
+  records_[slot_of(id)] = std::move(record);
+}
+
+// Room in the scene's table, brought from outside while the servo may not allocate it.
+BodyTable::Slots LiveScene::slots_for(BodyId id) {
+  BodyTable::Slots slots;
+  if (!live_ || slot_of(id) < slot_room_) return slots;
+  slots.reserve(2 * slot_of(id) + 1);
+  slot_room_ = slots.capacity();
+  return slots;
+}
+
+bool LiveScene::remove(BodyId id) {
+  const std::lock_guard lock(mutex_);
+  if (!find(id)) return false;
+  carry_out(std::make_unique<RemoveBody>(std::move(records_[slot_of(id)])));
+  ids_.give_back(id);
+  if (id == tool_) tool_ = 0;
+  return true;
+}
+
+bool LiveScene::set_pose(BodyId id, const Pose& pose) {
+  const std::lock_guard lock(mutex_);
+  BodyRecord* const record = find(id);
+  if (!record) return false;
+  record->pose = pose;
+  if (!live_) return scene_.set_pose(id, pose);
+  if (record->post.send(pose)) inbox_.post(&record->post);
+  return true;
+}
+
+std::optional<Pose> LiveScene::pose_of(BodyId id) {
+  const std::lock_guard lock(mutex_);
+  const BodyRecord* const record = find(id);
+  return record ? std::optional(record->pose) : std::nullopt;
+}
+
+template <class Change>
+void LiveScene::change(Change change) {
+  carry_out(std::make_unique<ChangeScene<Change>>(change));
+}
+
+void LiveScene::set_cutoff(double cutoff) {
+  const std::lock_guard lock(mutex_);
+  change([cutoff](Scene& scene) { scene.set_cutoff(cutoff); });
+  options_.cutoff = cutoff;
+}
+
+void LiveScene::set_stiffness(double stiffness) {
+  const std::lock_guard lock(mutex_);
+  change([stiffness](Scene& scene) { scene.set_stiffness(stiffness); });
+  options_.stiffness = stiffness;
+}
+
+void LiveScene::set_damping(double damping) {
+  const std::lock_guard lock(mutex_);
+  change([damping](Scene& scene) { scene.set_damping(damping); });
+}
+
+void LiveScene::set_stiffness_cap(double cap) {
+  const std::lock_guard lock(mutex_);
+  change([cap](Scene& scene) { scene.set_stiffness_cap(cap); });
+}
+
+void LiveScene::set_friction(double friction) {
+  const std::lock_guard lock(mutex_);
+  change([friction](Scene& scene) { scene.set_friction(friction); });
+}
+
+void LiveScene::set_mode(SearchMode mode) {
+  const std::lock_guard lock(mutex_);
+  change([mode](Scene& scene) { scene.set_mode(mode); });
+  options_.mode = mode;
+}
+
+Status LiveScene::step() {
+  const std::lock_guard lock(mutex_);
+  if (live_) return Error{ErrorCode::kWrongState, "the scene's servo runs"};
+  scene_.step();
+  return Done{};
+}
+
+Status LiveScene::go_live() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (live_) return Error{ErrorCode::kWrongState, "the scene's servo runs"};
+    BodyTable::Slots slots;
+    slots.reserve(2 * records_.size() + 1);
+    const std::size_t slot_room = slots.capacity();
+    parts_.emplace(inbox_);
+    scene_.fix();
+    scene_.move_to(slots);
+    slot_room_ = slot_room;
+    publish_tool(0.0);
+    live_ = true;
+  }
+  try {
+    search_globally();
+    execute_commands(std::numeric_limits<std::size_t>::max());
+  } catch (...) {
+    go_still();
+    throw;
+  }
+  return Done{};
+}
+
+void LiveScene::go_still() {
+  const std::lock_guard lock(mutex_);
+  if (!live_) return;
+  execute_commands(std::numeric_limits<std::size_t>::max());
+  destroy_returned();
+  scene_.unfix();
+  live_ = false;
+}
+
+void LiveScene::tick(double dt) noexcept {
+  execute_commands(kMostCommandsATick);
+  scene_.step(dt);
+  publish(dt);
+}
+
+void LiveScene::execute_commands(std::size_t most) {
+  for (std::size_t count = 0; count < most; ++count) {
+    if (!pending_) pending_ = inbox_.take();
+    if (!pending_) return;
+    auto* const command = static_cast<Command*>(pending_);
+    pending_ = command->next();  // first: a command that does not end may be posted anew
+    const bool ends = command->ends();
+    command->execute(scene_);
+    if (ends) returned_.post(command);
+  }
+}
+
+void LiveScene::publish(double dt) {
+  const Contacts& contacts = scene_.contacts();
+  parts_->outcomes.back() = contacts;
+  parts_->outcomes.publish();
+  if (contacts.status & kStatusWaiting) parts_->waiting_ticks.add(1);
+  if (contacts.status & kStatusCut) parts_->cut_ticks.add(1);
+  publish_tool(dt);
+}
+
+void LiveScene::publish_tool(double dt) {
+  const Body* const tool = scene_.find(scene_.tool());
+  if (!tool) return;
+  parts_->tool_views.back() = {scene_.tool(), tool->pose(), scene_.steps(), dt};
+  parts_->tool_views.publish();
+}
+
+bool LiveScene::search_globally() {
+  destroy_returned();
+  take_survey();
+  const bool worked = survey_.tool != 0 && parts_->global.run(survey_);
+  survey_.near.clear();
+  survey_.tool_model.reset();
+  return worked;
+}
+
+void LiveScene::destroy_returned() {
+  destroy_all(returned_.take());
+}
+
+void LiveScene::take_survey() {
+  parts_->tool_views.fetch();
+  ToolView view = parts_->tool_views.front();
+  const std::lock_guard lock(mutex_);
+  survey_.near.clear();
+  survey_.tool = tool_;
+  survey_.options = options_;
+  const BodyRecord* const tool = find(tool_);
+  if (!tool) return;
+  if (view.tool != tool_) view = {tool_, tool->pose, 0, 0.0};
+  survey_.tool_model = tool->model;
+  survey_.tool_pose = view.pose;
+  survey_.step = view.step;
+  const Sphere around = view.pose * Sphere{tool->model->centre(), tool->model->radius()};
+  for (const auto& record : records_)
+    if (record && record->id != tool_ && soon_near(*record, around, view))
+      survey_.near.push_back({record->id, record->model, record->pose});
+}
+
+bool LiveScene::soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const {
+  const Sphere body = record.pose * Sphere{record.model->centre(), record.model->radius()};
+  const DVec3 at = body.centre - tool.centre;
+  if (record.seen && view.step > record.seen->step && view.dt > 0.0) {
+    const double seconds = static_cast<double>(view.step - record.seen->step) * view.dt;
+    // A leap from one place to another is not a speed.
+    record.ahead = std::min(glm::length(at - record.seen->at) * kReadyAhead / seconds,
+                            options_.cutoff + body.radius + tool.radius);
+  }
+  if (!record.seen || view.step > record.seen->step) record.seen = {at, view.step};
+  return within_reach(body, tool, kReadyReach * options_.cutoff + record.ahead);
+}
+
+void LiveScene::carry_out(std::unique_ptr<Command> command) {
+  if (live_) return inbox_.post(command.release());
+  command->execute(scene_);
+}
+
+BodyRecord* LiveScene::find(BodyId id) {
+  return ids_.alive(id) ? records_[slot_of(id)].get() : nullptr;
+}
+
+const Contacts& LiveScene::newest_contacts() {
+  if (!live_) return scene_.contacts();
+  parts_->outcomes.fetch();
+  return parts_->outcomes.front();
+}
+
+LiveCounts LiveScene::counts() {
+  const std::lock_guard lock(mutex_);
+  if (!parts_) return {};
+  return {parts_->waiting_ticks.value(), parts_->cut_ticks.value(), parts_->global.preparations(),
+          parts_->global.searches()};
+}
+
+std::uint64_t LiveScene::result_age() {
+  const std::lock_guard lock(mutex_);
+  return newest_contacts().work.coherence.age;
+}
+
+}  // namespace palpate

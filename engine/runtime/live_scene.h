@@ -1,0 +1,118 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/exchange/counter.h"
+#include "engine/exchange/mailbox.h"
+#include "engine/exchange/triple_slot.h"
+#include "engine/runtime/body_record.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/global_search.h"
+#include "engine/runtime/servo_state.h"
+#include "engine/runtime/servo_task.h"
+#include "engine/runtime/survey.h"
+
+namespace palpate {
+
+// A scene that any threads may change and look at. It is stepped either by them, or, while it is live, by one
+// thread alone that waits for nobody: changes reach it through a mailbox, outcomes leave it through a triple
+// slot, and what it frees is destroyed elsewhere. Nothing but tick() is then the servo's.
+class LiveScene : public ServoTask {
+ public:
+  explicit LiveScene(const SceneOptions& options);
+  ~LiveScene() override;
+
+  // From any thread.
+  Result<BodyId> add(BodyOptions options);  // errors: kInvalidArgument (a second tool), kLimit
+  bool remove(BodyId id);                   // false: no such body, as the next two
+  bool set_pose(BodyId id, const Pose& pose);
+  std::optional<Pose> pose_of(BodyId id);
+  void set_cutoff(double cutoff);
+  void set_stiffness(double stiffness);
+  void set_damping(double damping);
+  void set_stiffness_cap(double cap);
+  void set_friction(double friction);
+  void set_mode(SearchMode mode);
+
+  // Errors: kWrongState (it is live). If it throws, the outcome is what it was.
+  Status step();
+
+  // Calls visit(contacts) with the newest outcome, if it is newer than that of the last call.
+  template <class Visit>
+  void visit_newer(Visit&& visit) {
+    const std::lock_guard lock(mutex_);
+    const Contacts& contacts = newest_contacts();
+    if (contacts.step <= visited_step_) return;
+    visit(contacts);
+    visited_step_ = contacts.step;
+  }
+
+  // Errors: kWrongState (it is live). From now on one thread calls tick() and another search_globally(). Near
+  // pairs are ready when it returns.
+  Status go_live();
+  void go_still();  // both have come to rest: what was sent is carried out
+
+  void tick(double dt) noexcept override;
+  bool search_globally();  // one round; false: nothing was to be done
+
+  LiveCounts counts();
+  std::uint64_t result_age();
+
+ private:
+  struct ToolView {
+    BodyId tool = 0;
+    Pose pose;
+    std::uint64_t step = 0;
+    double dt = 0.0;  // seconds a step
+  };
+  // Of the live time.
+  struct Live {
+    explicit Live(Mailbox& to_servo) : global(to_servo) {
+      for (Contacts& outcome : outcomes.buffers()) outcome.fix(kMostListed);
+    }
+
+    GlobalSearch global;
+    TripleSlot<Contacts> outcomes;
+    TripleSlot<ToolView> tool_views;
+    Counter waiting_ticks;
+    Counter cut_ticks;
+  };
+
+  void carry_out(std::unique_ptr<Command> command);
+  template <class Change>
+  void change(Change change);
+  void place(BodyId id, BodyOptions options);
+  BodyTable::Slots slots_for(BodyId id);
+  BodyRecord* find(BodyId id);
+  const Contacts& newest_contacts();
+  void execute_commands(std::size_t most);
+  void publish(double dt);
+  void publish_tool(double dt);
+  void destroy_returned();
+  void take_survey();
+  bool soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const;
+
+  std::mutex mutex_;  // guards what follows, and that one thread at a time posts and reads
+  bool live_ = false;
+  SceneOptions options_;
+  BodyIds ids_;
+  std::vector<std::unique_ptr<BodyRecord>> records_;  // by slot
+  BodyId tool_ = 0;
+  std::size_t slot_room_ = 0;  // of the scene's table while live
+  std::uint64_t visited_step_ = 0;
+
+  // The servo's while live, otherwise guarded, too.
+  Scene scene_;
+  Letter* pending_ = nullptr;
+
+  Mailbox inbox_;              // commands to the servo
+  Mailbox returned_;           // commands that are done
+  std::optional<Live> parts_;  // of the last time, too
+  Survey survey_;              // the global search's
+};
+
+}  // namespace palpate

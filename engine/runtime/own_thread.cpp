@@ -1,0 +1,18 @@
+#include "engine/runtime/own_thread.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <initializer_list>
+
+namespace palpate {
+
+void begin_own_thread(const char* name) {
+  pthread_setname_np(pthread_self(), name);
+  sigset_t left_to_others;
+  sigfillset(&left_to_others);
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP}) sigdelset(&left_to_others, own);
+  pthread_sigmask(SIG_BLOCK, &left_to_others, nullptr);
+}
+
+}  // namespace palpate

@@ -1,0 +1,106 @@
+#include "engine/runtime/scene_threads.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <system_error>
+
+#include "engine/base/clock.h"
+#include "engine/runtime/own_thread.h"
+
+namespace palpate {
+namespace {
+
+// Where there is nothing to do, a round comes so often, and takes no more than a tenth of the time.
+constexpr double kSearchPauseUs = 1'000.0;
+constexpr double kLongestSearchPauseUs = 20'000.0;
+
+std::chrono::duration<double, std::micro> pause_after(double round_us) {
+  return std::chrono::duration<double, std::micro>(
+      std::clamp(9.0 * round_us, kSearchPauseUs, kLongestSearchPauseUs));
+}
+
+// Who runs in this process. Never destroyed: a thread may still stop its scene at exit.
+struct Running {
+  std::mutex mutex;  // taken before any scene's own
+  std::set<SceneThreads*> scenes;
+  const pid_t process = getpid();
+};
+
+Running& running() {
+  static auto* const instance = new Running;
+  return *instance;
+}
+
+}  // namespace
+
+Status SceneThreads::start(const ServoOptions& options, ServoTask& task) {
+  const std::lock_guard all(running().mutex);
+  const std::lock_guard lock(mutex_);
+  if (Status live = scene_.go_live(); !live) return live;
+  running().scenes.insert(this);
+  stop_search_.emplace();
+  try {
+    search_ = std::thread([this] { search(); });
+  } catch (const std::system_error&) {
+    stop_threads();
+    return Error{ErrorCode::kLimit, "the system allows no more threads"};
+  }
+  Status started = servo_.start(task, options);
+  if (!started) stop_threads();
+  return started;
+}
+
+void SceneThreads::stop() {
+  const std::lock_guard all(running().mutex);
+  const std::lock_guard lock(mutex_);
+  stop_threads();
+}
+
+void SceneThreads::stop_threads() {
+  if (running().scenes.erase(this) == 0) return;
+  servo_.stop();
+  if (search_.joinable()) {
+    stop_search_->raise();
+    search_.join();
+  }
+  scene_.go_still();
+}
+
+void SceneThreads::stop_all() {
+  const std::lock_guard all(running().mutex);
+  while (!running().scenes.empty()) {
+    SceneThreads& scene = **running().scenes.begin();
+    const std::lock_guard lock(scene.mutex_);
+    scene.stop_threads();
+  }
+}
+
+void SceneThreads::stop_all_of_this_process() {
+  // Elsewhere there are no threads to wait for, and a lock may be held for ever.
+  if (running().process == getpid()) stop_all();
+}
+
+ServoState SceneThreads::state() {
+  const std::lock_guard lock(mutex_);
+  return {servo_.running(),    servo_.options().rate_hz, servo_.grants(),
+          servo_.statistics(), scene_.counts(),          scene_.result_age()};
+}
+
+void SceneThreads::search() {
+  begin_own_thread("palpate-search");
+  while (!stop_search_->raised()) {
+    const Stopwatch watch;
+    bool worked = false;
+    try {
+      worked = scene_.search_globally();
+    } catch (const std::exception&) {
+      // Out of memory: the pair stays as it is, and flagged, until the next attempt.
+    }
+    if (!worked) std::this_thread::sleep_for(pause_after(watch.elapsed_us()));
+  }
+}
+
+}  // namespace palpate
