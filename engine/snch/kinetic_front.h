@@ -52,6 +52,7 @@ class KineticFront {
   };
   struct Tick;
 
+  void include_near_minima(Tick& tick, const FeaturePairTest::Limits& limits) const;
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);

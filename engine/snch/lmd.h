@@ -39,6 +39,7 @@ struct SearchWork {
 struct LmdSet {
   std::vector<Lmd> lmds;               // ordered by set, then by features
   std::uint32_t set_count = 0;         // a plateau counts once
+  std::vector<Lmd> near_minima;        // if asked for: each its own set, its weight before it is shared
   std::vector<TrianglePair> overlaps;  // triangles that touch or cross, up to a limit
   bool overlaps_cut = false;           // there are more than the limit
   SearchWork work;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_pairs.h"
+#include "engine/snch/near_minima.h"
 #include "engine/snch/node_batch.h"
 #include "engine/snch/owned_triangle.h"
 #include "engine/snch/plateau.h"
@@ -25,17 +27,23 @@ class Traversal {
   Traversal(const Model& a, const Model& b, const Placement& placement, double cutoff,
             const SearchOptions& options, std::vector<OpenPair>& stack, std::vector<Minimum>& minima,
             LmdSet& found)
-      : a_(a.tree()),
-        b_(b.tree()),
+      : a_(a.tree(options.near_minima)),
+        b_(b.tree(options.near_minima)),
         a_mesh_(a.mesh()),
         b_mesh_(b.mesh()),
         placement_(placement),
         touch_(touching_distance(placement)),
         max_overlaps_(options.max_overlaps),
-        batch_(a.tree(), b.tree(), placement, cutoff),
+        batch_(a_, b_, placement, cutoff),
         feature_test_(a.mesh(), b.mesh(), placement, {cutoff, touch_, options.parallel_tolerance}, minima),
         stack_(stack),
-        found_(found) {}
+        found_(found) {
+    if (!options.near_minima) return;
+    near_test_.emplace(NearPolar({a_mesh_, placement_, false}, a.near_tree().creases),
+                       NearPolar({b_mesh_, placement_, true}, b.near_tree().creases),
+                       NearMinimumTest::Limits{cutoff, touch_, options.parallel_tolerance},
+                       found.near_minima);
+  }
 
   void run() {
     stack_.assign(1, {{0, 0}, true, true});
@@ -79,7 +87,9 @@ class Traversal {
                          tested_b = owned_triangle(b_, b_mesh_, b, placement_);
     if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_))
       found_.add_overlap({a, b}, max_overlaps_);
-    if (pair.minimum) feature_test_(tested_a, tested_b);
+    if (!pair.minimum) return;
+    feature_test_(tested_a, tested_b);
+    if (near_test_) (*near_test_)(tested_a, tested_b);
   }
 
   const Tree& a_;
@@ -91,6 +101,7 @@ class Traversal {
   const std::size_t max_overlaps_;
   NodeBatch batch_;
   FeaturePairTest feature_test_;
+  std::optional<NearMinimumTest> near_test_;
   std::vector<OpenPair>& stack_;
   LmdSet& found_;
 };
@@ -118,6 +129,8 @@ void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const 
       .run();
   std::sort(found.overlaps.begin(), found.overlaps.end());
   memory_->grouper.group(a.mesh(), b.mesh(), touching_distance(placement), memory_->minima, found);
+  if (options.near_minima)
+    settle_near_minima(a.near_tree().creases, b.near_tree().creases, found.near_minima);
   to_metres(frame, found);
 }
 
