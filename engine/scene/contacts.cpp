@@ -1,6 +1,7 @@
 #include "engine/scene/contacts.h"
 
 #include <algorithm>
+#include <span>
 
 namespace palpate {
 namespace {
@@ -26,14 +27,14 @@ SurfacePlace place_of(const Mesh& mesh, const Feature& feature) {
   return {FeatureKind::kFace, 0, mesh.source[feature.index]};
 }
 
-Contact contact_of(const Lmd& lmd, const ContactPair& pair, std::uint32_t first_set) {
+Contact contact_of(const Lmd& lmd, double weight, const ContactPair& pair, std::uint32_t first_set) {
   Contact contact;
   contact.point_a = pair.world_from_body * lmd.point_a;
   contact.point_b = pair.world_from_body * lmd.point_b;
   contact.normal = pair.world_from_body.rotation * lmd.normal;
   contact.distance = lmd.distance;
-  contact.weight = lmd.weight;
-  contact.force = spring_force({contact.point_b, contact.normal, lmd.distance, lmd.weight}, pair.law);
+  contact.weight = weight;
+  contact.force = spring_force({contact.point_b, contact.normal, lmd.distance, weight}, pair.law);
   contact.body_a = pair.body_id;
   contact.body_b = pair.tool_id;
   contact.set = first_set + lmd.set;
@@ -55,6 +56,20 @@ void append_overlaps(const LmdSet& found, const ContactPair& pair, Contacts& con
   }
 }
 
+bool same_place(const SurfacePlace& one, const SurfacePlace& other) {
+  return one.kind == other.kind && one.corner == other.corner && one.triangle == other.triangle;
+}
+
+// An LMD has the force of the spring on its own two features; the others only hand over to it.
+void lend_forces(std::span<const Contact> springs, std::span<Contact> lmds) {
+  for (Contact& lmd : lmds) {
+    const auto own = std::find_if(springs.begin(), springs.end(), [&](const Contact& spring) {
+      return same_place(spring.place_a, lmd.place_a) && same_place(spring.place_b, lmd.place_b);
+    });
+    lmd.force = own == springs.end() ? DVec3(0.0) : own->force;
+  }
+}
+
 }  // namespace
 
 void ContactWork::add(const PairWork& pair) {
@@ -68,6 +83,7 @@ void ContactWork::add(const PairWork& pair) {
 
 void Contacts::clear() {
   lmds.clear();
+  springs.clear();
   set_count = 0;
   overlaps.clear();
   overlap = false;
@@ -78,15 +94,35 @@ void Contacts::clear() {
   search_us = 0.0;
 }
 
-void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
+void ContactMaker::append(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
+  const std::size_t first_lmd = contacts.lmds.size(), first_spring = contacts.springs.size();
   for (const Lmd& lmd : found.lmds) {
-    const Contact contact = contact_of(lmd, pair, contacts.set_count);
-    contacts.min_distance = std::min(contacts.min_distance, contact.distance);
-    contacts.wrench += wrench_about(pair.reference, contact.point_b, contact.force);
-    contacts.lmds.push_back(contact);
+    contacts.lmds.push_back(contact_of(lmd, lmd.weight, pair, contacts.set_count));
+    contacts.min_distance = std::min(contacts.min_distance, lmd.distance);
   }
   contacts.set_count += found.set_count;
+  const auto lmds = contacts.lmds.begin() + static_cast<std::ptrdiff_t>(first_lmd);
+  if (pair.force_law == ForceLaw::kSmooth) {
+    append_near_minima(found, pair, contacts);
+    lend_forces(
+        {contacts.springs.begin() + static_cast<std::ptrdiff_t>(first_spring), contacts.springs.end()},
+        {lmds, contacts.lmds.end()});
+  } else {
+    contacts.springs.insert(contacts.springs.end(), lmds, contacts.lmds.end());
+  }
+  for (std::size_t i = first_spring; i < contacts.springs.size(); ++i)
+    contacts.wrench += wrench_about(pair.reference, contacts.springs[i].point_b, contacts.springs[i].force);
   append_overlaps(found, pair, contacts);
+}
+
+void ContactMaker::append_near_minima(const LmdSet& found, const ContactPair& pair, Contacts& contacts) {
+  near_.clear();
+  for (const Lmd& near : found.near_minima)
+    near_.push_back({near.point_a, near.point_b, near.normal, near.distance, near.weight});
+  const std::span<const double> factors = smooth_law_.share(near_, pair.law.cutoff);
+  const auto first = static_cast<std::uint32_t>(contacts.springs.size());
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    contacts.springs.push_back(contact_of(found.near_minima[i], factors[i], pair, first));
 }
 
 }  // namespace palpate

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/contact/smooth_law.h"
 #include "engine/contact/spring.h"
 #include "engine/math/pose.h"
 #include "engine/scene/pair_search.h"
@@ -55,7 +56,8 @@ struct ContactWork {
 
 // All that the tool meets at one moment.
 struct Contacts {
-  std::vector<Contact> lmds;  // ordered by set
+  std::vector<Contact> lmds;     // ordered by set
+  std::vector<Contact> springs;  // all that pushes: near minima or, under the law of springs, the LMDs
   std::uint32_t set_count = 0;
   std::vector<BodyOverlap> overlaps;
   bool overlap = false;
@@ -68,6 +70,11 @@ struct Contacts {
   void clear();  // keeps the memory
 };
 
+enum class ForceLaw {
+  kSprings,  // each LMD pushes: the paper's
+  kSmooth,   // near minima share: continuous in the pose
+};
+
 // What turns the LMDs of one pair of models into contacts.
 struct ContactPair {
   const Mesh& body;
@@ -78,9 +85,20 @@ struct ContactPair {
   SpringLaw law;
   DVec3 reference;  // of the torque, world frame
   std::size_t max_overlaps;
+  ForceLaw force_law = ForceLaw::kSprings;
 };
 
-// Adds what a search of `pair` found.
-void append_contacts(const LmdSet& found, const ContactPair& pair, Contacts& contacts);
+// Turns what searches found into contacts. Keeps its memory.
+class ContactMaker {
+ public:
+  // Adds what a search of `pair` found.
+  void append(const LmdSet& found, const ContactPair& pair, Contacts& contacts);
+
+ private:
+  void append_near_minima(const LmdSet& found, const ContactPair& pair, Contacts& contacts);
+
+  SmoothLaw smooth_law_;
+  std::vector<NearContact> near_;
+};
 
 }  // namespace palpate

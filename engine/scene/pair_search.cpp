@@ -14,7 +14,7 @@ constexpr double kPlateauHysteresis = 4.0;
 bool same(const PairSituation& a, const PairSituation& b) {
   return a.body_from_tool.rotation == b.body_from_tool.rotation &&
          a.body_from_tool.translation == b.body_from_tool.translation && a.cutoff == b.cutoff &&
-         a.max_overlaps == b.max_overlaps && a.mode == b.mode;
+         a.max_overlaps == b.max_overlaps && a.mode == b.mode && a.near_minima == b.near_minima;
 }
 
 }  // namespace
@@ -38,6 +38,7 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   SearchOptions options;
   options.cutoff = situation.cutoff;
   options.max_overlaps = situation.max_overlaps;
+  options.near_minima = situation.near_minima;
   if (known_ && found_.has_plateau()) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
@@ -87,6 +88,8 @@ void PairSearch::descend(const Model& body, const Model& tool, const SearchOptio
     age_ = 0;
   }
   tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, wide, options.cutoff, found_);
+  if (options.near_minima)
+    near_explorer_.explore(body, tool, situation_.body_from_tool, options.cutoff, found_);
   work_.age = *age_;
   if (found_.overlapping()) age_ = situation_.global_every;
   for (const TrianglePair& pair : complete_.overlaps)

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/descent/lmd_tracker.h"
+#include "engine/descent/near_explorer.h"
 #include "engine/snch/kinetic_front.h"
 #include "engine/snch/lmd_search.h"
 
@@ -22,6 +23,7 @@ struct PairSituation {
   std::size_t max_overlaps = 0;
   SearchMode mode = SearchMode::kGlobal;
   unsigned global_every = 10;  // steps from one search to the next while descending
+  bool near_minima = false;    // ask for them, too
 };
 
 // Work of one update beyond that of its LmdSet.
@@ -63,6 +65,7 @@ class PairSearch {
 
   KineticFront front_;  // while certified
   LmdTracker tracker_;  // while descending
+  NearExplorer near_explorer_;
   LmdSet complete_;
   std::optional<Odometer> odometer_;
   std::optional<unsigned> age_;  // of complete_, in steps

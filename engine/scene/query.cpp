@@ -22,13 +22,16 @@ void Query::search(const Model& a, const Model& b, const Pose& a_from_b, const Q
   search_options.cutoff = options.law.cutoff;
   // At least one, because an empty list means that nothing overlaps.
   search_options.max_overlaps = std::max<std::size_t>(options.max_overlaps, 1);
+  search_options.near_minima = options.force_law == ForceLaw::kSmooth;
   search_.run(a, b, a_from_b, search_options, found_);
 
   contacts_.work.body_pairs = 1;
   contacts_.work.search = found_.work;
   const DVec3 reference = a_from_b * options.reference_point;
-  append_contacts(found_, {a.mesh(), b.mesh(), 0, 0, Pose{}, options.law, reference, options.max_overlaps},
-                  contacts_);
+  maker_.append(
+      found_,
+      {a.mesh(), b.mesh(), 0, 0, Pose{}, options.law, reference, options.max_overlaps, options.force_law},
+      contacts_);
 }
 
 }  // namespace palpate

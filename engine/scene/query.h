@@ -7,6 +7,7 @@ namespace palpate {
 
 struct QueryOptions {
   SpringLaw law{1000.0, 0.0};
+  ForceLaw force_law = ForceLaw::kSprings;
   std::size_t max_overlaps = 1024;
   DVec3 reference_point{0.0};  // frame of B: torques are about it
 };
@@ -24,6 +25,7 @@ class Query {
 
   LmdSearch search_;
   LmdSet found_;
+  ContactMaker maker_;
   Contacts contacts_;
 };
 

@@ -54,9 +54,12 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
     return;
   }
   // At least one overlap is asked for, because an empty list means that nothing overlaps.
-  const PairSituation situation{inverse(body.pose()) * tool.pose(), options_.cutoff,
-                                std::max<std::size_t>(options_.max_overlaps, 1), options_.mode,
-                                options_.global_every};
+  const PairSituation situation{inverse(body.pose()) * tool.pose(),
+                                options_.cutoff,
+                                std::max<std::size_t>(options_.max_overlaps, 1),
+                                options_.mode,
+                                options_.global_every,
+                                options_.law == ForceLaw::kSmooth};
   PairSearch& pair = body.against_tool;
   pair.update(*body.options().model, *tool.options().model, situation, search_);
   if (pair.searched()) {
@@ -67,16 +70,17 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
   }
   const double stiffness = body.options().stiffness > 0.0 ? body.options().stiffness : options_.stiffness;
   const DVec3 reference = tool.pose() * tool.options().reference_point;
-  append_contacts(pair.found(),
-                  {body.mesh(),
-                   tool.mesh(),
-                   id,
-                   tool_,
-                   body.pose(),
-                   {stiffness, options_.cutoff},
-                   reference,
-                   options_.max_overlaps},
-                  next_);
+  maker_.append(pair.found(),
+                {body.mesh(),
+                 tool.mesh(),
+                 id,
+                 tool_,
+                 body.pose(),
+                 {stiffness, options_.cutoff},
+                 reference,
+                 options_.max_overlaps,
+                 options_.law},
+                next_);
 }
 
 }  // namespace palpate

@@ -11,6 +11,7 @@ struct SceneOptions {
   std::size_t max_overlaps = 1024;
   SearchMode mode = SearchMode::kCertified;
   unsigned global_every = 10;  // steps, positive
+  ForceLaw law = ForceLaw::kSmooth;
 };
 
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
@@ -23,6 +24,7 @@ class Scene {
   void set_stiffness(double stiffness) { options_.stiffness = stiffness; }
 
   void set_mode(SearchMode mode) { options_.mode = mode; }
+  void set_law(ForceLaw law) { options_.law = law; }
 
   // Errors: kInvalidArgument (a second tool), kLimit.
   Result<BodyId> add(BodyOptions options);
@@ -42,6 +44,7 @@ class Scene {
   BodyTable bodies_;
   BodyId tool_ = 0;
   LmdSearch search_;
+  ContactMaker maker_;
   Contacts contacts_;
   Contacts next_;
 };

@@ -16,13 +16,16 @@ void LmdSet::add_overlap(TrianglePair pair, std::size_t limit) {
   overlaps_cut = true;
 }
 
+Lmd in_metres(const ModelFrame& frame, Lmd lmd) {
+  lmd.point_a = frame.metres(lmd.point_a);
+  lmd.point_b = frame.metres(lmd.point_b);
+  lmd.distance *= frame.scale;
+  return lmd;
+}
+
 void to_metres(const ModelFrame& frame, LmdSet& found) {
-  for (std::vector<Lmd>* minima : {&found.lmds, &found.near_minima})
-    for (Lmd& lmd : *minima) {
-      lmd.point_a = frame.metres(lmd.point_a);
-      lmd.point_b = frame.metres(lmd.point_b);
-      lmd.distance *= frame.scale;
-    }
+  for (Lmd& lmd : found.lmds) lmd = in_metres(frame, lmd);
+  for (Lmd& near : found.near_minima) near = in_metres(frame, near);
 }
 
 }  // namespace palpate

@@ -50,7 +50,8 @@ struct LmdSet {
   void add_overlap(TrianglePair pair, std::size_t limit);
 };
 
-// Takes LMDs from the normalised frame of model A to metres.
+// Take LMDs from the normalised frame of model A to metres.
+Lmd in_metres(const ModelFrame& frame, Lmd lmd);
 void to_metres(const ModelFrame& frame, LmdSet& found);
 
 }  // namespace palpate
