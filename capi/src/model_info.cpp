@@ -36,6 +36,13 @@ void describe_mesh(const MeshReport& report, plp_model_info& info) {
   info.double_sided_triangles = report.double_sided_triangles;
 }
 
+// There is one tree for each law.
+void add_tree(const Tree& tree, std::size_t bytes, plp_model_info& info) {
+  info.tree_bytes += bytes;
+  info.tree_nodes += tree.node_count();
+  info.tree_us += tree.build_us();
+}
+
 plp_model_info info_of(const ModelObject& object) {
   const Model& model = *object.model;
   plp_model_info info{};
@@ -47,11 +54,8 @@ plp_model_info info_of(const ModelObject& object) {
   info.diagonal = model.bounds().diagonal();
   info.mesh_bytes = model.mesh().bytes();
   info.load_us = object.load_us;
-  if (const Tree* tree = model.tree_if_built()) {
-    info.tree_bytes = tree->bytes();
-    info.tree_nodes = tree->node_count();
-    info.tree_us = tree->build_us();
-  }
+  if (const Tree* tree = model.tree_if_built()) add_tree(*tree, tree->bytes(), info);
+  if (const NearTree* near = model.near_tree_if_built()) add_tree(near->tree, near->bytes(), info);
   return info;
 }
 
@@ -91,5 +95,6 @@ plp_result plp_model_prepare(plp_model model) {
     const auto object = model_table().pin(bits_of(model));
     require_handle(object, "model");
     object->model->tree();
+    object->model->near_tree();
   });
 }

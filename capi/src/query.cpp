@@ -1,4 +1,5 @@
 #include "capi/src/handles.h"
+#include "capi/src/law.h"
 #include "capi/src/numbers.h"
 #include "capi/src/structs.h"
 
@@ -10,6 +11,7 @@ QueryOptions checked_query_options(const plp_query_options* given) {
   QueryOptions checked_options;
   checked_options.law.cutoff = checked_positive(options.cutoff, "options->cutoff");
   checked_options.law.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
+  checked_options.force_law = law_of(options.law, "options->law");
   checked_options.max_overlaps = options.max_overlaps;
   checked_options.reference_point = checked(vector_of(options.reference_point), "options->reference_point");
   return checked_options;

@@ -1,4 +1,5 @@
 #include "capi/src/handles.h"
+#include "capi/src/law.h"
 #include "capi/src/numbers.h"
 #include "capi/src/structs.h"
 
@@ -60,6 +61,7 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
   scene.max_overlaps = options.max_overlaps;
   scene.mode = mode_of(options.mode, "options->mode");
+  scene.law = law_of(options.law, "options->law");
   if (options.global_every > 0) scene.global_every = options.global_every;
   scene.damping = checked_not_negative(options.damping, "options->damping");
   scene.stiffness_cap = checked_not_negative(options.stiffness_cap, "options->stiffness_cap");
@@ -95,6 +97,7 @@ void plp_scene_options_init(plp_scene_options* options) {
   options->space = kPalpateSpace;
   options->stiffness = 1000.0;
   options->mode = PLP_MODE_CERTIFIED;
+  options->law = PLP_LAW_SMOOTH;
   options->fade_time = 0.02;
   options->time_step = 0.001;
 }
@@ -173,6 +176,14 @@ plp_result plp_scene_set_mode(plp_scene scene, int32_t mode) {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     object->scene.set_mode(mode_of(mode, "mode"));
+  });
+}
+
+plp_result plp_scene_set_law(plp_scene scene, int32_t law) {
+  return guarded([&] {
+    const auto object = pin_scene(scene);
+    require_handle(object, "scene");
+    object->scene.set_law(law_of(law, "law"));
   });
 }
 

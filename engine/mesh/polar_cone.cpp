@@ -65,28 +65,30 @@ struct Tangents {
     for (std::size_t i = 0; i < count; ++i) most = std::max(most, glm::dot(directions[i], u));
     return most;
   }
-  bool admit(const DVec3& candidate) const {
+  bool admit(const DVec3& candidate, double lean) const {
     const double length = glm::length(candidate);
     if (!(length > 0)) return false;
     const double sign = 1 / length;
-    return violation(candidate * sign) < kSurelyOutside || violation(candidate * -sign) < kSurelyOutside;
+    return violation(candidate * sign) < lean || violation(candidate * -sign) < lean;
   }
 };
 
 // The u of least violation is normal to a plane through three tips of the unit directions, or, where all lie
 // in one plane through the vertex, normal to two of the directions.
-bool polar_cone_may_hold(const Tangents& tangents) {
+bool polar_cone_may_hold(const Tangents& tangents, double lean) {
   const auto& d = tangents.directions;
   for (std::size_t i = 0; i < tangents.count; ++i)
     for (std::size_t j = i + 1; j < tangents.count; ++j) {
-      if (tangents.admit(glm::cross(d[i], d[j]))) return true;
+      if (tangents.admit(glm::cross(d[i], d[j]), lean)) return true;
       for (std::size_t k = j + 1; k < tangents.count; ++k)
-        if (tangents.admit(glm::cross(d[j] - d[i], d[k] - d[i]))) return true;
+        if (tangents.admit(glm::cross(d[j] - d[i], d[k] - d[i]), lean)) return true;
     }
   return false;
 }
 
-bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex) {
+}  // namespace
+
+bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex, double lean) {
   const auto neighbours = mesh.vertex_neighbours[vertex];
   if (!mesh.vertex_flags[vertex].outward || neighbours.size() >= kMaxTested) return true;
   Tangents tangents;
@@ -95,12 +97,10 @@ bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex) {
   const DVec3 normal = vertex_pseudonormal(mesh, vertex);
   const double length = glm::length(normal);
   if (!(length > kSurelyOutside)) return true;
-  if (tangents.violation(normal / length) < kSurelyOutside) return true;
+  if (tangents.violation(normal / length) < lean) return true;
   tangents.directions[tangents.count++] = normal / -length;
-  return polar_cone_may_hold(tangents);
+  return polar_cone_may_hold(tangents, lean);
 }
-
-}  // namespace
 
 double vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& u) {
   const DVec3 from = mesh.position(vertex);
@@ -174,7 +174,7 @@ void flag_features(Mesh& mesh) {
   for (std::uint32_t edge = 0; edge < edge_count; ++edge)
     mesh.edge_flags[edge].active = edge_may_hold(mesh, edge);
   for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex)
-    mesh.vertex_flags[vertex].active = vertex_may_hold(mesh, vertex);
+    mesh.vertex_flags[vertex].active = vertex_may_hold(mesh, vertex, kSurelyOutside);
 }
 
 }  // namespace palpate

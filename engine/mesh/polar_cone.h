@@ -25,6 +25,10 @@ struct Lean {
 // Of a face, in whose polar cone its normal alone lies, the lean is 0: closest points on a face are along it.
 Lean lean_at(const Mesh& mesh, Feature feature, const DVec3& u);
 
+// False: every direction, or every outward one where that test applies, leans more than `lean` outside the
+// polar cone of a vertex.
+bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex, double lean);
+
 // Angle-weighted pseudonormals (Bærentzen & Aanæs 2005), not of unit length: u leaves the solid where u·N >
 // 0.
 DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex);

@@ -52,23 +52,32 @@ bool GlobalSearch::run(const Survey& survey) {
 bool GlobalSearch::prepare(const Survey& survey, const Survey::NearBody& body, Pair& pair) {
   if (pair.tool != survey.tool) pair.live = nullptr;
   const bool outgrown = pair.live && pair.live->grant_room();
-  if (pair.live && !outgrown) return false;
+  const bool near_minima = survey.options.law == ForceLaw::kSmooth;
+  if (pair.live && !outgrown && (pair.near_minima || !near_minima)) return false;
   if (outgrown) {
     pair.room.front *= 2;
     pair.room.minima *= 2;
   }
-  const PairSituation situation{inverse(body.pose) * survey.tool_pose, survey.options.cutoff,
-                                overlap_limit(survey.options),         survey.options.mode,
-                                survey.options.global_every,           survey.step};
+  const PairSituation situation{inverse(body.pose) * survey.tool_pose,
+                                survey.options.cutoff,
+                                overlap_limit(survey.options),
+                                survey.options.mode,
+                                survey.options.global_every,
+                                survey.step,
+                                near_minima};
   auto command = std::make_unique<ExchangeSearch>(body.id, survey.tool);
   auto live = std::make_shared<LivePair>();
-  static_cast<void>(body.model->tree());
-  static_cast<void>(survey.tool_model->tree());
+  for (const Model* model : {body.model.get(), survey.tool_model.get()}) {
+    static_cast<void>(model->tree());
+    if (near_minima) static_cast<void>(model->near_tree());
+  }
   if (situation.mode != SearchMode::kGlobal)
     command->search.update(*body.model, *survey.tool_model, situation, search_);
-  command->springs.reserve(command->search.fix(pair.room, live).minima);
+  const Room room = command->search.fix(pair.room, live, near_minima);
+  command->springs.reserve(std::max(room.minima, kNearRoom));
   pair.live = std::move(live);
   pair.tool = survey.tool;
+  pair.near_minima = near_minima;
   to_servo_.post(command.release());
   preparations_.add(1);
   return true;

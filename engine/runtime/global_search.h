@@ -36,6 +36,7 @@ class GlobalSearch {
     std::shared_ptr<LivePair> live;
     BodyId tool = 0;
     Room room;
+    bool near_minima = false;
     std::uint64_t near_in = 0;  // round
     std::optional<Searched> searched;
     std::optional<Odometer> odometer;

@@ -123,6 +123,12 @@ void LiveScene::set_friction(double friction) {
   change([friction](Scene& scene) { scene.set_friction(friction); });
 }
 
+void LiveScene::set_law(ForceLaw law) {
+  const std::lock_guard lock(mutex_);
+  change([law](Scene& scene) { scene.set_law(law); });
+  options_.law = law;
+}
+
 void LiveScene::set_mode(SearchMode mode) {
   const std::lock_guard lock(mutex_);
   change([mode](Scene& scene) { scene.set_mode(mode); });

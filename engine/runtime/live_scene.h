@@ -36,6 +36,7 @@ class LiveScene : public ServoTask {
   void set_damping(double damping);
   void set_stiffness_cap(double cap);
   void set_friction(double friction);
+  void set_law(ForceLaw law);
   void set_mode(SearchMode mode);
 
   // Errors: kWrongState (it is live). If it throws, the outcome is what it was.

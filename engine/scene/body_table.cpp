@@ -13,6 +13,13 @@ void Body::set_pose(const Pose& pose) {
   sphere_ = pose * Sphere{options_.model->centre(), options_.model->radius()};
 }
 
+void Body::leave() {
+  if (!is_near) return;
+  is_near = false;
+  against_tool.ready() ? against_tool.rest() : against_tool.forget();
+  springs.forget();
+}
+
 BodyId BodyTable::add(Body body) {
   auto placed = std::make_unique<Body>(std::move(body));
   const BodyId id = ids_.take();

@@ -35,7 +35,11 @@ class Body {
   const Sphere& sphere() const { return sphere_; }  // world frame
   void set_pose(const Pose& pose);
 
+  // The tool is out of reach: of a body that it left before, there is nothing to forget.
+  void leave();
+
   BodyId id = 0;
+  bool is_near = false;  // was within reach of the tool in the last step
   PairSearch against_tool;
   PairSprings springs;  // against the tool
 

@@ -15,7 +15,7 @@ constexpr double kPlateauHysteresis = 4.0;
 bool same(const PairSituation& a, const PairSituation& b) {
   return a.body_from_tool.rotation == b.body_from_tool.rotation &&
          a.body_from_tool.translation == b.body_from_tool.translation && a.cutoff == b.cutoff &&
-         a.max_overlaps == b.max_overlaps && a.mode == b.mode;
+         a.max_overlaps == b.max_overlaps && a.mode == b.mode && a.near_minima == b.near_minima;
 }
 
 }  // namespace
@@ -29,17 +29,19 @@ void PairSearch::forget() {
   complete_.clear();
 }
 
-Room PairSearch::fix(Room room, std::shared_ptr<SearchService> service) {
+Room PairSearch::fix(Room room, std::shared_ptr<SearchService> service, bool near_minima) {
   const Room used = front_.used();
   room.front = std::max(room.front, 4 * used.front);
   room.minima =
       std::max({room.minima, 4 * used.minima, 4 * tracker_.used_minima(), 4 * complete_.lmds.size()});
   front_.fix(room);
   tracker_.fix(room);
+  near_explorer_.fix();
   for (LmdSet* set : {&found_, &complete_, &next_}) set->reserve(room);
   service_ = std::move(service);
   searched_step_ = situation_.step;
   ready_ = true;
+  near_ready_ = near_minima;
   return room;
 }
 
@@ -47,13 +49,14 @@ void PairSearch::unfix() {
   if (lost_) forget();
   front_.unfix();
   tracker_.unfix();
+  near_explorer_.unfix();
   service_.reset();
-  ready_ = false;
+  ready_ = near_ready_ = false;
 }
 
 void PairSearch::retire() {
   forget();
-  ready_ = false;
+  ready_ = near_ready_ = false;
 }
 
 void PairSearch::take(PairSearch& prepared) {
@@ -74,6 +77,7 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   SearchOptions options;
   options.cutoff = situation.cutoff;
   options.max_overlaps = situation.max_overlaps;
+  options.near_minima = situation.near_minima;
   if (plateau_) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
@@ -124,7 +128,7 @@ void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOp
 
 // What a front without room would have kept up to date.
 void PairSearch::finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options) {
-  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, options, options.cutoff, found_);
+  follow(body, tool, options, options.cutoff);
   found_.cut = true;
   service_->want_room();
   work_.descents = tracker_.work().descents;
@@ -148,7 +152,7 @@ void PairSearch::descend(const Model& body, const Model& tool, const SearchOptio
     tracker_.adopt(body.mesh(), tool.mesh(), complete_);
     age_ = 0;
   }
-  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, wide, options.cutoff, found_);
+  follow(body, tool, wide, options.cutoff);
   work_.age = *age_;
   if (found_.overlapping() && !service_) age_ = situation_.global_every;
   for (const TrianglePair& pair : complete_.overlaps)
@@ -158,6 +162,11 @@ void PairSearch::descend(const Model& body, const Model& tool, const SearchOptio
   work_.descents = tracker_.work().descents;
   work_.descent_steps = tracker_.work().steps;
   if (service_ && (found_.cut || tracker_.tight())) service_->want_room();
+}
+
+void PairSearch::follow(const Model& body, const Model& tool, const SearchOptions& options, double cutoff) {
+  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, options, cutoff, found_);
+  if (options.near_minima) near_explorer_.explore(body, tool, situation_.body_from_tool, cutoff, found_);
 }
 
 // Farther than the cutoff by the way that the models can go until the next search, so that an LMD is followed

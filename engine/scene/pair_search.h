@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/descent/lmd_tracker.h"
+#include "engine/descent/near_explorer.h"
 #include "engine/snch/kinetic_front.h"
 #include "engine/snch/lmd_search.h"
 
@@ -40,6 +41,7 @@ struct PairSituation {
   SearchMode mode = SearchMode::kGlobal;
   unsigned global_every = 10;  // steps from one search to the next while descending
   std::uint64_t step = 0;      // counts steps
+  bool near_minima = false;    // ask for them, too
 };
 
 // Work of one update beyond that of its LmdSet.
@@ -66,9 +68,10 @@ class PairSearch {
   // Fixes the memory of all searches, at least `room` and four times what the last one used. From now on
   // nothing is allocated, complete sets come from `service`, and what finds no room is cut, and flagged.
   // Returns the room that it made.
-  Room fix(Room room, std::shared_ptr<SearchService> service);
+  Room fix(Room room, std::shared_ptr<SearchService> service, bool near_minima);
   void unfix();
   bool ready() const { return ready_; }  // fixed, and for these models
+  bool ready_for_near_minima() const { return near_ready_; }
 
   // Takes the place of this search with what `prepared` knows and has room for; `prepared` gets the rest.
   void take(PairSearch& prepared);
@@ -88,6 +91,7 @@ class PairSearch {
   void search_all(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void descend(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void keep_front(const Model& body, const Model& tool, const SearchOptions& options);
+  void follow(const Model& body, const Model& tool, const SearchOptions& options, double cutoff);
   void finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options);
   void adopt(const Model& body, const Model& tool, const SearchService::Searched& searched);
   double search_radius(const Model& body, const SearchOptions& options) const;
@@ -102,12 +106,14 @@ class PairSearch {
 
   KineticFront front_;  // while certified
   LmdTracker tracker_;  // while descending
+  NearExplorer near_explorer_;
   LmdSet complete_;
   std::optional<Odometer> odometer_;
   std::optional<unsigned> age_;  // of complete_, in steps
 
   std::shared_ptr<SearchService> service_;  // while fixed
   bool ready_ = false;
+  bool near_ready_ = false;
   bool lost_ = false;                // the front outgrew its room: descent until there is more
   LmdSet next_;                      // of the front
   double radius_ = 0.0;              // of the newest set from the service

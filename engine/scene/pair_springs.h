@@ -16,7 +16,7 @@ namespace palpate {
 struct PairSpring {
   Lmd at;                // the weight is what is in force: with the share of what comes or goes
   DVec3 velocity;        // of the tool at point_b against the body, m/s
-  bool is_held = false;  // a wall, or fading: of no set
+  bool is_held = false;  // a wall, or fading
 };
 
 struct SpringSituation {

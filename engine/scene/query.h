@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/contacts.h"
+#include "engine/scene/law_springs.h"
 #include "engine/scene/spring_forces.h"
 #include "engine/snch/lmd_search.h"
 
@@ -9,6 +10,7 @@ namespace palpate {
 struct QueryOptions {
   SpringLaw law{1000.0, 0.0};
   std::size_t max_overlaps = 1024;
+  ForceLaw force_law = ForceLaw::kSprings;
   DVec3 reference_point{0.0};  // frame of B: torques are about it
 };
 
@@ -25,6 +27,7 @@ class Query {
 
   LmdSearch search_;
   LmdSet found_;
+  LawSprings law_springs_;
   PairSprings springs_;
   SpringForces forces_;
   Contacts contacts_;

@@ -40,6 +40,7 @@ Body* Scene::body_against(BodyId tool, BodyId id) {
 void Scene::fix() {
   search_.fix(Room{});
   forces_.reserve(kMostListed.springs);
+  law_springs_.reserve(kNearRoom);
   for (Contacts* contacts : {&contacts_, &next_}) contacts->fix(kMostListed);
   fixed_ = true;
 }
@@ -90,21 +91,23 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
   PairSearch& pair = body.against_tool;
   if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) {
-    pair.ready() ? pair.rest() : pair.forget();
-    body.springs.forget();
+    body.leave();
     return;
   }
+  body.is_near = true;
   if (fixed_ && !pair.ready()) {
     next_.status |= kStatusWaiting;
     body.springs.forget();
     return;
   }
+  const ForceLaw law = fixed_ && !pair.ready_for_near_minima() ? ForceLaw::kSprings : options_.law;
   const PairSituation situation{inverse(body.pose()) * tool.pose(),
                                 options_.cutoff,
                                 max_overlaps(),
                                 options_.mode,
                                 options_.global_every,
-                                steps_};
+                                steps_,
+                                law == ForceLaw::kSmooth};
   pair.update(*body.options().model, *tool.options().model, situation, search_);
   if (pair.searched()) {
     ++next_.work.body_pairs;
@@ -117,18 +120,18 @@ void Scene::touch(BodyId id, Body& body, const Body& tool) {
                              id,
                              tool_,
                              body.pose(),
-                             law_of(body.options()),
+                             spring_law_of(body.options()),
                              std::min(options_.max_overlaps, max_overlaps())};
   const std::uint32_t first_set = next_.set_count;
   append_contacts(pair.found(), contacts, next_);
-  body.springs.update(pair.found().lmds,
+  body.springs.update(law_springs_.of(pair.found(), law, options_.cutoff),
                       {situation.body_from_tool, options_.cutoff, time_step_, options_.fade_time,
                        pair.found().overlapping(), options_.mode == SearchMode::kDescent});
   if (body.springs.is_walled()) next_.status |= kStatusWall;
-  forces_.add(body.springs.list(), contacts, first_set, next_);
+  forces_.add(body.springs.list(), contacts, law == ForceLaw::kSmooth ? kNoSet : first_set, next_);
 }
 
-SpringLaw Scene::law_of(const BodyOptions& body) const {
+SpringLaw Scene::spring_law_of(const BodyOptions& body) const {
   const auto own_or = [](double own, double common) { return own > 0.0 ? own : common; };
   return {own_or(body.stiffness, options_.stiffness), options_.cutoff, own_or(body.damping, options_.damping),
           body.friction < 0.0 ? 0.0 : own_or(body.friction, options_.friction)};

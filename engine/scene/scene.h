@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/body_table.h"
+#include "engine/scene/law_springs.h"
 #include "engine/scene/spring_forces.h"
 
 namespace palpate {
@@ -17,6 +18,7 @@ struct SceneOptions {
   double friction = 0.0;       // Coulomb's coefficient
   double fade_time = 0.0;      // seconds
   double time_step = 0.001;    // seconds from one step to the next, positive
+  ForceLaw law = ForceLaw::kSmooth;
 };
 
 // What a step whose memory is fixed lists at most.
@@ -33,6 +35,7 @@ class Scene {
   void set_damping(double damping) { options_.damping = damping; }
   void set_stiffness_cap(double cap) { options_.stiffness_cap = cap; }
   void set_friction(double friction) { options_.friction = friction; }
+  void set_law(ForceLaw law) { options_.law = law; }
   void set_mode(SearchMode mode) { options_.mode = mode; }
 
   // Errors: kInvalidArgument (a second tool), kLimit.
@@ -63,7 +66,7 @@ class Scene {
  private:
   void lose_tool();
   void touch(BodyId id, Body& body, const Body& tool);
-  SpringLaw law_of(const BodyOptions& body) const;
+  SpringLaw spring_law_of(const BodyOptions& body) const;
   std::size_t max_overlaps() const;
 
   SceneOptions options_;
@@ -73,6 +76,7 @@ class Scene {
   BodyTable bodies_;
   BodyId tool_ = 0;
   LmdSearch search_;
+  LawSprings law_springs_;
   SpringForces forces_;
   Contacts contacts_;
   Contacts next_;

@@ -25,7 +25,7 @@ void SpringForces::add(std::span<const PairSpring> springs, const ContactPair& p
       return;
     }
     Contact contact = contact_of(spring.at, pair, first_set);
-    if (spring.is_held) contact.set = kNoSet;
+    if (spring.is_held || first_set == kNoSet) contact.set = kNoSet;
     contacts.springs.push_back(contact);
     pushes_.push_back({pair.world_from_body.rotation * spring.velocity, pair.law});
     cap_.add(spring_of(contact), pair.law);

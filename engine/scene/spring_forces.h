@@ -17,7 +17,8 @@ class SpringForces {
   void clear();
   void reserve(std::size_t springs) { pushes_.reserve(springs); }
 
-  // Adds the springs of a pair to contacts.springs. `first_set` is what the pair's set 0 is called there.
+  // Adds the springs of a pair to contacts.springs. `first_set` is what the pair's set 0 is called there;
+  // kNoSet: springs are of no set.
   void add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,
            Contacts& contacts);
 

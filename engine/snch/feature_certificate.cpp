@@ -5,6 +5,7 @@
 
 #include "engine/kernel/line_pair.h"
 #include "engine/kernel/triangle_pair.h"
+#include "engine/snch/near_minima.h"
 
 namespace palpate {
 namespace {
@@ -52,26 +53,28 @@ Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, co
                                                  const MeshSide& face_side,
                                                  const TestedTriangle& face) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
-  if (!corners.corners) return all;
+  if (!(corners.corners | corners.near_corners)) return all;
   const Triangle& triangle = face.shape;
   const DVec3 normal = glm::normalize(triangle.area_vector());
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int k = 0; k < 3; ++k) {
-    if (!corners.has_corner(k)) continue;
+    const bool near = corners.has_near_corner(k);
+    if (!near && !corners.has_corner(k)) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], normal);
     double outside = std::max(std::abs(height) - limits_.cutoff, two_sided ? 0.0 : -height);
     for (int side = 0; side < 3; ++side) {
       const DVec3 along = triangle.along(side);
       const DVec3 away = glm::cross(along, normal) / glm::length(along);
-      outside = std::max(outside, glm::dot(away, corner - triangle.start(side)));
+      outside = std::max(
+          outside, glm::dot(away, corner - triangle.start(side)) - seam_at_side(face_side, face, side, near));
     }
     Certificate one = seen_from(face_side, outside);
     if (rate_.lifetime(one) < kLongLived) {
       const Feature vertex = corner_side.vertex(corners, k);
-      double lean = corner_side.violation(vertex, -normal);
-      if (two_sided) lean = std::min(lean, corner_side.violation(vertex, normal));
-      one = longer(one, Certificate::within_angle(lean - limits_.parallel_tolerance), rate_);
+      double outside_cone = beyond(corner_side, vertex, -normal, near);
+      if (two_sided) outside_cone = std::min(outside_cone, beyond(corner_side, vertex, normal, near));
+      one = longer(one, Certificate::within_angle(outside_cone), rate_);
     }
     all = both(all, one);
   }
@@ -122,14 +125,15 @@ Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const 
 Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
   for (int i = 0; i < 3; ++i) {
-    if (!a.has_side(i)) continue;
+    if (!a.has_side(i) && !a.has_near_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_side(j)) continue;
+      const bool near = a.has_near_side(i) && b.has_near_side(j);
+      if (!near && !(a.has_side(i) && b.has_side(j))) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const double lengths = glm::length(u) + glm::length(v);
       const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j), rate_);
+      if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j, near), rate_);
       all = both(all, one);
     }
   }
@@ -138,8 +142,8 @@ Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTrian
 
 // Three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
 // cross beyond an end of an edge; along it, they are farther apart than the cutoff.
-Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b,
-                                          int j) const {
+Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j,
+                                          bool near) const {
   const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
   const double length_a = glm::length(a.shape.along(i)), length_b = glm::length(b.shape.along(j));
   const DVec3 u = a.shape.along(i) / length_a, v = b.shape.along(j) / length_b;
@@ -148,25 +152,27 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   if (!(sine > 1e-6)) return {};
   const DVec3 normal = lines.normal / sine;
   const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
-  const double beyond = std::max(std::abs(lines.s - place_a), std::abs(lines.t - place_b));
+  // While the certificate holds, the sine stays above half of what it is.
+  const double stretched = 4 * limits_.cutoff / (sine * sine);
+  const double past_end = std::max(std::abs(lines.s - place_a) - seam_at_ends(a_, a, i, stretched, near),
+                                   std::abs(lines.t - place_b) - seam_at_ends(b_, b, j, stretched, near));
   const double height = std::abs(glm::dot(start_b - start_a, normal));
-  const double slack = std::max(beyond * sine, height - limits_.cutoff) - 2 * limits_.touch;
+  const double slack = std::max(past_end * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
   // As they become parallel, the lines cross anywhere.
   const Certificate across =
       sine < 4 * limits_.parallel_tolerance ? Certificate{} : across_normal(slack, arm, sine);
   if (rate_.lifetime(across) >= kLongLived) return across;
-  return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine), rate_);
+  return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine, near), rate_);
 }
 
 // The common normal of two lines that turn by an angle of at most half the sine between them turns by no more
 // than kTurn times that over the sine.
 Certificate FeatureCertificate::common_normal_leaning(const Feature& edge_a, const Feature& edge_b,
-                                                      const DVec3& normal, double sine) const {
-  const double forward = std::max(a_.violation(edge_a, normal), b_.violation(edge_b, -normal));
-  const double backward = std::max(a_.violation(edge_a, -normal), b_.violation(edge_b, normal));
-  const double lean = std::min(forward, backward) - limits_.parallel_tolerance;
-  return Certificate::within_angle(sine * std::min(lean / kTurn, 0.5));
+                                                      const DVec3& normal, double sine, bool near) const {
+  const double forward = std::max(beyond(a_, edge_a, normal, near), beyond(b_, edge_b, -normal, near));
+  const double backward = std::max(beyond(a_, edge_a, -normal, near), beyond(b_, edge_b, normal, near));
+  return Certificate::within_angle(sine * std::min(std::min(forward, backward) / kTurn, 0.5));
 }
 
 // A distance between two points that is measured along, or at right angles to, the common normal: it changes
@@ -182,27 +188,51 @@ Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, c
                                                   const MeshSide& edge_side,
                                                   const TestedTriangle& edges) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
-  if (!corners.corners) return all;
   for (int j = 0; j < 3; ++j) {
-    if (!edges.has_side(j)) continue;
-    const DVec3 along = edges.shape.along(j);
-    const double length = glm::length(along);
+    if (!edges.has_side(j) && !edges.has_near_side(j)) continue;
     for (int k = 0; k < 3; ++k) {
-      if (!corners.has_corner(k)) continue;
-      const DVec3& corner = corners.shape.corner[k];
-      const double place = glm::dot(corner - edges.shape.start(j), along) / length;
-      const DVec3 between = corner - edges.shape.start(j) - along * (place / length);
+      const bool near = edges.has_near_side(j) && corners.has_near_corner(k);
+      if (!near && !(edges.has_side(j) && corners.has_corner(k))) continue;
+      all = both(all, corner_and_edge(corner_side, corner_side.vertex(corners, k), corners.shape.corner[k],
+                                      edge_side, edges, j, near));
+    }
+  }
+  return all;
+}
+
+Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, const Feature& vertex,
+                                                const DVec3& corner, const MeshSide& edge_side,
+                                                const TestedTriangle& edges, int j, bool near) const {
+  const DVec3 along = edges.shape.along(j);
+  const double length = glm::length(along);
+  const double place = glm::dot(corner - edges.shape.start(j), along) / length;
+  const DVec3 between = corner - edges.shape.start(j) - along * (place / length);
+  const double distance = glm::length(between);
+  const double past_end =
+      std::max(-place, place - length) - seam_at_ends(edge_side, edges, j, limits_.cutoff, near);
+  const Certificate by_place = seen_from(edge_side, std::max(past_end, distance - limits_.cutoff));
+  if (rate_.lifetime(by_place) >= kLongLived || !(distance > 0)) return by_place;
+  const DVec3 u = between / distance;
+  const Feature edge = edge_side.edge(edges, j);
+  const Certificate beside = seen_from(edge_side, lateral(beyond(edge_side, edge, u, near), distance));
+  const Certificate below = leaning_from_corner(corner_side, beyond(corner_side, vertex, -u, near), distance);
+  return longer(by_place, longer(beside, below, rate_), rate_);
+}
+
+Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b) const {
+  Certificate all{Certificate::kForever, Certificate::kForever};
+  for (int i = 0; i < 3; ++i) {
+    if (!a.has_corner(i) && !a.has_near_corner(i)) continue;
+    for (int j = 0; j < 3; ++j) {
+      const bool near = a.has_near_corner(i) && b.has_near_corner(j);
+      if (!near && !(a.has_corner(i) && b.has_corner(j))) continue;
+      const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
-      const double outside = std::max({-place, place - length, distance - limits_.cutoff});
-      Certificate one = seen_from(edge_side, outside);
+      Certificate one = Certificate::within_distance(distance - limits_.cutoff);
       if (rate_.lifetime(one) < kLongLived && distance > 0) {
         const DVec3 u = between / distance;
-        const Feature edge = edge_side.edge(edges, j);
-        const Feature vertex = corner_side.vertex(corners, k);
-        const Certificate beside = seen_from(edge_side, lateral(edge_side.violation(edge, u), distance));
-        const Certificate below =
-            leaning_from_corner(corner_side, corner_side.violation(vertex, -u), distance);
-        one = longer(one, longer(beside, below, rate_), rate_);
+        one = longer(one, seen_from(a_, lateral(beyond(a_, a_.vertex(a, i), u, near), distance)), rate_);
+        one = longer(one, seen_from(b_, lateral(beyond(b_, b_.vertex(b, j), -u, near), distance)), rate_);
       }
       all = both(all, one);
     }
@@ -210,24 +240,24 @@ Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, c
   return all;
 }
 
-Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
-  for (int i = 0; i < 3; ++i) {
-    if (!a.has_corner(i)) continue;
-    for (int j = 0; j < 3; ++j) {
-      if (!b.has_corner(j)) continue;
-      const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
-      const double distance = glm::length(between);
-      Certificate one = Certificate::within_distance(distance - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived && distance > 0) {
-        const DVec3 u = between / distance;
-        one = longer(one, seen_from(a_, lateral(a_.violation(a_.vertex(a, i), u), distance)), rate_);
-        one = longer(one, seen_from(b_, lateral(b_.violation(b_.vertex(b, j), -u), distance)), rate_);
-      }
-      all = both(all, one);
-    }
-  }
-  return all;
+double FeatureCertificate::beyond(const MeshSide& side, const Feature& feature, const DVec3& u,
+                                  bool near) const {
+  return near ? NearPolar(side, creases(side)).beyond(feature, u)
+              : side.violation(feature, u) - limits_.parallel_tolerance;
+}
+
+double FeatureCertificate::seam_at_side(const MeshSide& side, const TestedTriangle& t, int k,
+                                        bool near) const {
+  if (!near || !creases(side).is_flat(side.mesh.triangle_edges[t.index][k])) return 0.0;
+  return NearMinimumTest::seam(glm::length(t.shape.along(k)), limits_.cutoff);
+}
+
+double FeatureCertificate::seam_at_ends(const MeshSide& side, const TestedTriangle& t, int k, double distance,
+                                        bool near) const {
+  if (!near) return 0.0;
+  const TriangleIndices& corners = side.mesh.triangles[t.index];
+  if (!creases(side).is_straight(corners[k]) && !creases(side).is_straight(corners[(k + 1) % 3])) return 0.0;
+  return NearMinimumTest::seam(glm::length(t.shape.along(k)), distance);
 }
 
 Certificate FeatureCertificate::seen_from(const MeshSide& side, double slack) const {
@@ -236,15 +266,15 @@ Certificate FeatureCertificate::seen_from(const MeshSide& side, double slack) co
 
 // How far a point at `distance` may move, seen from a feature, until its direction leans outside the
 // feature's polar cone no more: that far it is beyond one of the planes that bound the points of that cone.
-double FeatureCertificate::lateral(double lean, double distance) const {
-  return lean * distance - limits_.parallel_tolerance * limits_.cutoff - 2 * limits_.touch;
+double FeatureCertificate::lateral(double beyond, double distance) const {
+  return beyond * distance - limits_.parallel_tolerance * limits_.cutoff - 2 * limits_.touch;
 }
 
 // The same of a corner's foot on an edge: it moves with the edge, and turns about the corner as the edge
 // does.
-Certificate FeatureCertificate::leaning_from_corner(const MeshSide& corner_side, double lean,
+Certificate FeatureCertificate::leaning_from_corner(const MeshSide& corner_side, double beyond,
                                                     double distance) const {
-  const double slack = lateral(lean, distance);
+  const double slack = lateral(beyond, distance);
   if (!(slack > 0)) return {};
   const double by_turn = distance + slack;
   const double share = rate_.distance / (rate_.distance + rate_.angle * by_turn);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/mesh/creases.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/odometer.h"
 
@@ -10,12 +11,15 @@ namespace palpate {
 // their features or beyond the cutoff, which ends with distance, or the direction between them leans outside
 // a polar cone. For a corner over a face that direction is the face's normal and for two edges their common
 // normal (pairs of features that are faces of the convolution of A and −B), so that the lean ends with
-// rotation alone; for the others with both.
+// rotation alone; for the others with both. With creases the pairs hold no near minimum either, whose polar
+// cones are wider by the smoothing angle.
 class FeatureCertificate {
  public:
   // `reach` is that of the odometer.
   FeatureCertificate(const Mesh& a, const Mesh& b, const Placement& placement,
                      const FeaturePairTest::Limits& limits, const MotionRate& rate, double reach);
+
+  void include_near_minima(const Creases& a, const Creases& b) { creases_a_ = &a, creases_b_ = &b; }
 
   // No certificate where one might end with the next motion.
   Certificate operator()(const TestedTriangle& a, const TestedTriangle& b) const;
@@ -25,26 +29,39 @@ class FeatureCertificate {
   Certificate corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
                                const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;
-  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j) const;
+  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
   Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
-                                    double sine) const;
+                                    double sine, bool near) const;
   Certificate across_normal(double slack, double arm, double sine) const;
   Certificate corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
                                 const MeshSide& edge_side, const TestedTriangle& edges) const;
+  Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
+                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near) const;
   Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
   Certificate edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
                              const MeshSide& face_side, const TestedTriangle& face) const;
   Certificate corners(const TestedTriangle& a, const TestedTriangle& b) const;
 
+  // What `u` must turn to hold a minimum at an edge or vertex, or a near one. The end of `u` must also move
+  // by this part of its distance.
+  double beyond(const MeshSide& side, const Feature& feature, const DVec3& u, bool near) const;
+
+  // The seams of near minima at the sides of a face and at the ends of an edge; 0 where there is none.
+  double seam_at_side(const MeshSide& side, const TestedTriangle& t, int k, bool near) const;
+  double seam_at_ends(const MeshSide& side, const TestedTriangle& t, int k, double distance, bool near) const;
+
   Certificate seen_from(const MeshSide& side, double slack) const;
-  double lateral(double lean, double distance) const;
-  Certificate leaning_from_corner(const MeshSide& corner_side, double lean, double distance) const;
+  double lateral(double beyond, double distance) const;
+  Certificate leaning_from_corner(const MeshSide& corner_side, double beyond, double distance) const;
+  const Creases& creases(const MeshSide& side) const { return side.is_b ? *creases_b_ : *creases_a_; }
 
   const MeshSide a_;
   const MeshSide b_;
   const FeaturePairTest::Limits limits_;
   const MotionRate rate_;
   const double reach_;
+  const Creases* creases_a_ = nullptr;  // null: no near minima
+  const Creases* creases_b_ = nullptr;
 };
 
 }  // namespace palpate

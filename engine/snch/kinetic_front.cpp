@@ -5,6 +5,7 @@
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_certificate.h"
+#include "engine/snch/near_minima.h"
 #include "engine/snch/owned_triangle.h"
 
 namespace palpate {
@@ -41,6 +42,7 @@ struct KineticFront::Tick {
   FeaturePairTest feature_test;
   FeatureCertificate feature_certificate;
   LmdSet& found;
+  std::optional<NearMinimumTest> near_test = std::nullopt;
 };
 
 void KineticFront::update(const Model& model_a, const Model& model_b, const Pose& a_from_b,
@@ -58,21 +60,25 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   going_on ? odometer_->advance(placement) : start(placement);
   const double reach = model_b.radius() / a.frame.scale + cutoff;
   const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
-  Tick tick{model_a.tree(),
-            model_b.tree(),
+  const Tree &tree_a = a_->tree(options.near_minima), &tree_b = b_->tree(options.near_minima);
+  Tick tick{tree_a,
+            tree_b,
             placement,
             reach,
             touch,
-            NodeBatch(model_a.tree(), model_b.tree(), placement, cutoff),
+            NodeBatch(tree_a, tree_b, placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
             FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
             found};
+  if (options.near_minima) include_near_minima(tick, limits);
   scan(tick);
   if (found.cut) return forget();
   build_next_front(tick);
 
   std::sort(found.overlaps.begin(), found.overlaps.end());
   grouper_.group(a, b, touch, minima_, found);
+  if (options.near_minima)
+    settle_near_minima(model_a.near_tree().creases, model_b.near_tree().creases, found.near_minima);
   to_metres(a.frame, found);
 }
 
@@ -101,9 +107,22 @@ bool KineticFront::has_room_for(const std::vector<Entry>& front, const std::vect
   return !fixed_ || (has_room(front, NodeBatch::kMost) && has_room(open, NodeBatch::kMost));
 }
 
+// For what two triangles may hold.
+bool KineticFront::has_room_for_finds(const Tick& tick) const {
+  return has_room(minima_, FeaturePairTest::kMostFound) && has_near_room(tick.found.near_minima);
+}
+
+void KineticFront::include_near_minima(Tick& tick, const FeaturePairTest::Limits& limits) const {
+  const Creases &a = a_->near_tree().creases, &b = b_->near_tree().creases;
+  tick.feature_certificate.include_near_minima(a, b);
+  tick.near_test.emplace(NearPolar({a_->mesh(), tick.placement, false}, a),
+                         NearPolar({b_->mesh(), tick.placement, true}, b), limits, tick.found.near_minima);
+}
+
 bool KineticFront::goes_on(const Model& a, const Model& b, const SearchOptions& options) const {
   return odometer_ && &a == a_ && &b == b_ && options.cutoff == options_.cutoff &&
-         options.parallel_tolerance == options_.parallel_tolerance;
+         options.parallel_tolerance == options_.parallel_tolerance &&
+         options.near_minima == options_.near_minima;
 }
 
 void KineticFront::start(const Placement& placement) {
@@ -176,11 +195,12 @@ Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint3
   if (certificate.holds() || !collect) return certificate;
   if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch))
     tick.found.add_overlap({a, b}, options_.max_overlaps);
-  if (fixed_ && !has_room(minima_, FeaturePairTest::kMostFound)) {
+  if (fixed_ && !has_room_for_finds(tick)) {
     tick.found.cut = true;
-  } else {
-    tick.feature_test(tested_a, tested_b);
+    return {};
   }
+  tick.feature_test(tested_a, tested_b);
+  if (tick.near_test) (*tick.near_test)(tested_a, tested_b);
   return {};
 }
 

@@ -59,6 +59,8 @@ class KineticFront {
   };
   struct Tick;
 
+  bool has_room_for_finds(const Tick& tick) const;
+  void include_near_minima(Tick& tick, const FeaturePairTest::Limits& limits) const;
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);

@@ -40,6 +40,7 @@ struct SearchWork {
 struct LmdSet {
   std::vector<Lmd> lmds;               // ordered by set, then by features
   std::uint32_t set_count = 0;         // a plateau counts once
+  std::vector<Lmd> near_minima;        // if asked for: each its own set, its weight before it is shared
   std::vector<TrianglePair> overlaps;  // triangles that touch or cross, up to a limit
   bool overlaps_cut = false;           // there are more than the limit
   bool cut = false;                    // the search ran out of room: not all is here
@@ -52,7 +53,8 @@ struct LmdSet {
   void add_overlap(TrianglePair pair, std::size_t limit);
 };
 
-// Takes LMDs from the normalised frame of model A to metres.
+// Take LMDs from the normalised frame of model A to metres.
+Lmd in_metres(const ModelFrame& frame, Lmd lmd);
 void to_metres(const ModelFrame& frame, LmdSet& found);
 
 }  // namespace palpate

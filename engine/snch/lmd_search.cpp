@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_pairs.h"
+#include "engine/snch/near_minima.h"
 #include "engine/snch/node_batch.h"
 #include "engine/snch/owned_triangle.h"
 #include "engine/snch/plateau.h"
@@ -25,19 +27,25 @@ class Traversal {
   Traversal(const Model& a, const Model& b, const Placement& placement, double cutoff,
             const SearchOptions& options, std::vector<OpenPair>& stack, std::vector<Minimum>& minima,
             bool fixed, LmdSet& found)
-      : a_(a.tree()),
-        b_(b.tree()),
+      : a_(a.tree(options.near_minima)),
+        b_(b.tree(options.near_minima)),
         a_mesh_(a.mesh()),
         b_mesh_(b.mesh()),
         placement_(placement),
         touch_(touching_distance(placement)),
         max_overlaps_(options.max_overlaps),
-        batch_(a.tree(), b.tree(), placement, cutoff),
+        batch_(a_, b_, placement, cutoff),
         feature_test_(a.mesh(), b.mesh(), placement, {cutoff, touch_, options.parallel_tolerance}, minima),
         stack_(stack),
         minima_(minima),
         fixed_(fixed),
-        found_(found) {}
+        found_(found) {
+    if (!options.near_minima) return;
+    near_test_.emplace(NearPolar({a_mesh_, placement_, false}, a.near_tree().creases),
+                       NearPolar({b_mesh_, placement_, true}, b.near_tree().creases),
+                       NearMinimumTest::Limits{cutoff, touch_, options.parallel_tolerance},
+                       found.near_minima);
+  }
 
   void run() {
     stack_.assign(1, {{0, 0}, true, true});
@@ -84,11 +92,17 @@ class Traversal {
     if (pair.contact && triangles_touch(tested_a.shape, tested_b.shape, touch_))
       found_.add_overlap({a, b}, max_overlaps_);
     if (!pair.minimum) return;
-    if (fixed_ && !has_room(minima_, FeaturePairTest::kMostFound)) {
+    if (fixed_ && !has_room_for_finds()) {
       found_.cut = true;
-    } else {
-      feature_test_(tested_a, tested_b);
+      return;
     }
+    feature_test_(tested_a, tested_b);
+    if (near_test_) (*near_test_)(tested_a, tested_b);
+  }
+
+  // For what two triangles may hold.
+  bool has_room_for_finds() const {
+    return has_room(minima_, FeaturePairTest::kMostFound) && has_near_room(found_.near_minima);
   }
 
   const Tree& a_;
@@ -100,6 +114,7 @@ class Traversal {
   const std::size_t max_overlaps_;
   NodeBatch batch_;
   FeaturePairTest feature_test_;
+  std::optional<NearMinimumTest> near_test_;
   std::vector<OpenPair>& stack_;
   const std::vector<Minimum>& minima_;
   const bool fixed_;
@@ -144,6 +159,8 @@ void LmdSearch::run(const Model& a, const Model& b, const Pose& a_from_b, const 
       .run();
   std::sort(found.overlaps.begin(), found.overlaps.end());
   memory_->grouper.group(a.mesh(), b.mesh(), touching_distance(placement), memory_->minima, found);
+  if (options.near_minima)
+    settle_near_minima(a.near_tree().creases, b.near_tree().creases, found.near_minima);
   to_metres(frame, found);
 }
 

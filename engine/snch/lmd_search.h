@@ -15,6 +15,7 @@ struct SearchOptions {
   // Directions this far outside a polar cone still belong to a plateau (radians). A caller that follows a
   // motion widens it while there is a plateau, so that a rocking box does not flicker.
   double parallel_tolerance = 1e-6;
+  bool near_minima = false;  // ask for them, too
 };
 
 // Searches two models for all local minimum distances, from scratch. Keeps its memory from call to call, so

@@ -31,4 +31,18 @@ const Tree* Model::tree_if_built() const {
   return tree_.get();
 }
 
+const NearTree& Model::near_tree() const {
+  std::call_once(near_built_, [this] {
+    auto tree = std::make_unique<const NearTree>(mesh_);
+    const std::lock_guard lock(mutex_);
+    near_tree_ = std::move(tree);
+  });
+  return *near_tree_;
+}
+
+const NearTree* Model::near_tree_if_built() const {
+  const std::lock_guard lock(mutex_);
+  return near_tree_.get();
+}
+
 }  // namespace palpate

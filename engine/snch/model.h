@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "engine/mesh/mesh.h"
-#include "engine/snch/tree.h"
+#include "engine/snch/near_tree.h"
 
 namespace palpate {
 
@@ -24,14 +24,21 @@ class Model {
   // The hierarchy if it is built.
   const Tree* tree_if_built() const;
 
+  // The same for searches that ask for near minima, too.
+  const NearTree& near_tree() const;
+  const Tree& tree(bool near_minima) const { return near_minima ? near_tree().tree : tree(); }
+  const NearTree* near_tree_if_built() const;
+
  private:
   Mesh mesh_;
   Box bounds_;
   DVec3 centre_{0.0};
   double radius_ = 0.0;
   mutable std::once_flag built_;
-  mutable std::mutex mutex_;  // guards tree_ for those who only look
+  mutable std::once_flag near_built_;
+  mutable std::mutex mutex_;  // guards the trees for those who only look
   mutable std::unique_ptr<const Tree> tree_;
+  mutable std::unique_ptr<const NearTree> near_tree_;
 };
 
 }  // namespace palpate

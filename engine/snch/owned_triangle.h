@@ -9,13 +9,14 @@ namespace palpate {
 // pair of triangles.
 inline TestedTriangle owned_triangle(const Tree& tree, const Mesh& mesh, std::uint32_t t) {
   const OwnedFeatures owned = tree.owned(t);
-  return {t, triangle_of(mesh, t), owned.corners, owned.sides};
+  return {t, triangle_of(mesh, t), owned.corners, owned.sides, owned.near_corners, owned.near_sides};
 }
 
 inline TestedTriangle owned_triangle(const Tree& tree, const Mesh& mesh, std::uint32_t t,
                                      const Placement& placement) {
   const OwnedFeatures owned = tree.owned(t);
-  return {t, triangle_of(mesh, t, placement), owned.corners, owned.sides};
+  return {
+      t, triangle_of(mesh, t, placement), owned.corners, owned.sides, owned.near_corners, owned.near_sides};
 }
 
 }  // namespace palpate

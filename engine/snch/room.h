@@ -12,6 +12,9 @@ struct Room {
   std::size_t overlaps = 1'024;  // listed
 };
 
+// Near minima that a search finds at most whose memory is fixed.
+inline constexpr std::size_t kNearRoom = 4'096;
+
 // What a traversal of two trees keeps open: as many batches as both are deep, about a hundred.
 inline constexpr std::size_t kOpenRoom = 4'096;
 

@@ -12,9 +12,13 @@ struct TestedTriangle {
   Triangle shape;
   unsigned corners;
   unsigned sides;
+  unsigned near_corners = 0;  // the same in the search for near minima
+  unsigned near_sides = 0;
 
   bool has_corner(int k) const { return (corners & (1u << k)) != 0; }
   bool has_side(int k) const { return (sides & (1u << k)) != 0; }
+  bool has_near_corner(int k) const { return (near_corners & (1u << k)) != 0; }
+  bool has_near_side(int k) const { return (near_sides & (1u << k)) != 0; }
 };
 
 // One of the two models under test. Directions come in A's frame.
@@ -49,7 +53,7 @@ struct MeshSide {
     return glm::dot(own(u), normal) > 0;
   }
 
- private:
+  // A direction in the frame of the mesh itself.
   DVec3 own(const DVec3& u) const { return is_b ? placement.into_b(u) : u; }
 };
 

@@ -7,6 +7,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/math/box.h"
+#include "engine/snch/near_polar.h"
 #include "engine/snch/polar_directions.h"
 #include "engine/snch/topology.h"
 
@@ -15,6 +16,9 @@ namespace {
 
 // Covers the rounding of a cone to float32 and of its tests, and the widest parallel tolerance of a search.
 constexpr double kConeMargin = 4e-5;
+
+// The smoothing angle; cones of near minima are wider by it.
+constexpr double kSmoothingAngle = 1.0001 * Smoothing::kTangent;
 
 // Relative growth of float32 bounds that covers their rounding.
 constexpr double kOutward = 1.0 + 1e-6;
@@ -39,9 +43,8 @@ std::uint8_t sweep(double component, double cosine, double sine) {
   return static_cast<std::uint8_t>(std::clamp(std::ceil(255.0 * reach + 1e-3), 0.0, 255.0));
 }
 
-void set_cone(Node& node, const Cone& cone) {
-  const double angle =
-      cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + kConeMargin;
+void set_cone(Node& node, const Cone& cone, double margin) {
+  const double angle = cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + margin;
   const bool whole = angle > 0.5 * std::numbers::pi;
   const double cosine = whole ? -1.0 : std::cos(angle), sine = whole ? 0.0 : std::sin(angle);
   node.cone_axis = Vec3(cone.axis);
@@ -55,11 +58,13 @@ void set_cone(Node& node, const Cone& cone) {
 
 class NodeFiller {
  public:
-  NodeFiller(const Mesh& mesh, const std::vector<TopologyNode>& topology, std::vector<Node>& nodes)
+  NodeFiller(const Mesh& mesh, const Creases* creases, const std::vector<TopologyNode>& topology,
+             std::vector<Node>& nodes)
       : mesh_(mesh),
         topology_(topology),
         order_(leaf_triangles(topology)),
-        directions_(mesh, order_),
+        directions_(mesh, order_, creases),
+        cone_margin_(creases ? kConeMargin + kSmoothingAngle : kConeMargin),
         nodes_(nodes) {}
 
   void fill() {
@@ -114,7 +119,8 @@ class NodeFiller {
   }
 
   void fill_cone(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
-    set_cone(nodes_[i], unbounded(i, first) ? Cone::whole() : cone_around(directions_.of(first, end)));
+    set_cone(nodes_[i], unbounded(i, first) ? Cone::whole() : cone_around(directions_.of(first, end)),
+             cone_margin_);
   }
 
   bool unbounded(std::uint32_t i, std::uint32_t first) const {
@@ -126,6 +132,7 @@ class NodeFiller {
   const std::vector<TopologyNode>& topology_;
   const std::vector<std::uint32_t> order_;
   const PolarDirections directions_;
+  const double cone_margin_;
   std::vector<Node>& nodes_;
 };
 
@@ -138,19 +145,41 @@ std::vector<OwnedFeatures> owned_features(const Mesh& mesh) {
       if (mesh.owner_of_vertex(vertex) == t && mesh.vertex_flags[vertex].active) corners |= 1u << k;
       if (mesh.owner_of_edge(edge) == t && mesh.edge_flags[edge].active) sides |= 1u << k;
     }
-    owned[t] = {static_cast<std::uint8_t>(corners & 7u), static_cast<std::uint8_t>(sides & 7u)};
+    owned[t] = {static_cast<std::uint8_t>(corners & 7u), static_cast<std::uint8_t>(sides & 7u), 0, 0};
   }
   return owned;
+}
+
+void add_near_features(const Mesh& mesh, const Creases& creases, std::vector<OwnedFeatures>& owned) {
+  for (std::uint32_t t = 0; t < owned.size(); ++t) {
+    unsigned corners = 0, sides = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = mesh.triangles[t][k], edge = mesh.triangle_edges[t][k];
+      if (mesh.owner_of_vertex(vertex) == t && near_corner(mesh, creases, vertex)) corners |= 1u << k;
+      if (mesh.owner_of_edge(edge) == t && near_side(mesh, creases, edge)) sides |= 1u << k;
+    }
+    owned[t].near_corners = static_cast<std::uint8_t>(corners & 7u);
+    owned[t].near_sides = static_cast<std::uint8_t>(sides & 7u);
+  }
 }
 
 }  // namespace
 
 Tree Tree::build(const Mesh& mesh) {
+  return build(mesh, nullptr);
+}
+
+Tree Tree::build(const Mesh& mesh, const Creases& creases) {
+  return build(mesh, &creases);
+}
+
+Tree Tree::build(const Mesh& mesh, const Creases* creases) {
   const Stopwatch watch;
   Tree tree;
   const std::vector<TopologyNode> topology = build_topology(mesh);
-  NodeFiller(mesh, topology, tree.nodes_).fill();
+  NodeFiller(mesh, creases, topology, tree.nodes_).fill();
   tree.owned_ = owned_features(mesh);
+  if (creases) add_near_features(mesh, *creases, tree.owned_);
   tree.build_us_ = watch.elapsed_us();
   return tree;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/math/cone.h"
-#include "engine/mesh/mesh.h"
+#include "engine/mesh/creases.h"
 
 namespace palpate {
 
@@ -31,10 +31,12 @@ struct alignas(64) Node {
 static_assert(sizeof(Node) == 64);
 
 // Which of its corners, sides and faces a triangle brings into the search: those that it owns and that can
-// hold an LMD.
+// hold an LMD, and those that can hold a near minimum.
 struct OwnedFeatures {
   std::uint8_t corners : 3;
   std::uint8_t sides : 3;
+  std::uint8_t near_corners : 3;
+  std::uint8_t near_sides : 3;
 };
 
 // The hierarchy of one mesh. Immutable once built.
@@ -42,6 +44,9 @@ class Tree {
  public:
   // Throws std::bad_alloc, also when the builder runs out of memory.
   static Tree build(const Mesh& mesh);
+
+  // For searches that ask for near minima, too.
+  static Tree build(const Mesh& mesh, const Creases& creases);
 
   const Node& root() const { return nodes_.front(); }
   const Node& node(std::uint32_t index) const { return nodes_[index]; }
@@ -52,6 +57,8 @@ class Tree {
   double build_us() const { return build_us_; }
 
  private:
+  static Tree build(const Mesh& mesh, const Creases* creases);
+
   std::vector<Node> nodes_;  // parents before children, a first child right after its parent
   std::vector<OwnedFeatures> owned_;
   double build_us_ = 0.0;

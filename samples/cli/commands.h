@@ -28,8 +28,8 @@ struct RunArguments {
   double damping = 0.0;        // N·s/m
   double friction = 0.0;       // Coulomb's coefficient
   double stiffness_cap = 0.0;  // N/m; 0: none
-  std::string mode = "global";
-  std::string law = "springs";
+  std::string mode = "certified";
+  std::string law = "smooth";
   unsigned global_every = 10;  // ticks, while descending
   bool threaded = false;       // a servo runs at the trajectory's own rate
   std::string out;             // empty: no file

@@ -64,7 +64,10 @@ void add_run(CLI::App& app, RunArguments& arguments) {
                    "N/m that all springs together do not exceed; 0 for no cap")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--law", arguments.law, "springs")->capture_default_str();
+  command
+      ->add_option("--law", arguments.law,
+                   "smooth: continuous in the pose; springs: one for every local minimum distance")
+      ->capture_default_str();
   command->add_flag("--threaded", arguments.threaded,
                     "Follow the trajectory at its own rate while a servo thread steps the scene, rather than "
                     "as fast as it can");

@@ -21,10 +21,16 @@ plp_mode mode_of(const std::string& name) {
   throw Failure("--mode " + name + ": it is global, descent or certified");
 }
 
+plp_law law_of(const std::string& name) {
+  if (name == "springs") return PLP_LAW_SPRINGS;
+  if (name == "smooth") return PLP_LAW_SMOOTH;
+  throw Failure("--law " + name + ": it is springs or smooth");
+}
+
 void require_supported(const RunArguments& arguments) {
   static_cast<void>(mode_of(arguments.mode));
   if (arguments.global_every == 0) throw Failure("--global-every 0: it is at least 1");
-  if (arguments.law != "springs") throw Failure("--law " + arguments.law + ": supported is only springs");
+  static_cast<void>(law_of(arguments.law));
 }
 
 // One model that stands still and one that is the tool.
@@ -35,6 +41,7 @@ class Stage {
     plp_scene_options_init(&options);
     options.cutoff = arguments.cutoff;
     options.stiffness = arguments.stiffness;
+    options.law = law_of(arguments.law);
     options.damping = arguments.damping;
     options.friction = arguments.friction;
     options.stiffness_cap = arguments.stiffness_cap;

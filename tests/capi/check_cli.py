@@ -92,7 +92,7 @@ class CommandLine(unittest.TestCase):
         rows = ["t,px,py,pz,qx,qy,qz,qw", "0,1.125,0,0,0,0,0,1", "0.001,1.125,0,0,0,0,0,1\r", "0.002,-9,0,0,0,0,0,1", ""]
         poses = self.write("poses.csv", "\n".join(rows))
         out = str(Path(self.folder.name) / "ticks.csv")
-        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs",
                                          "--stiffness", "500", "--mode", "global", "--out", out, "--json"))
         self.assertEqual((summary["ticks"], summary["ticks_in_contact"]), (3, 2))
         with open(out, newline="") as file:
@@ -109,7 +109,7 @@ class CommandLine(unittest.TestCase):
         poses = self.write("press.csv", "t,px,py,pz,qx,qy,qz,qw\n0,1.102,-0.002,0,0,0,0,1\n0.001,1.1,0,0,0,0,0,1\n"
                                         "0.002,0.99,0,0,0,0,0,1\n")
         out = str(Path(self.folder.name) / "pressed.csv")
-        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+        summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs",
                                          "--damping", "30", "--friction", "0.1", "--stiffness-cap", "400",
                                          "--out", out, "--json"))
         self.assertEqual(summary["ticks_overlapping"], 1)
@@ -117,8 +117,21 @@ class CommandLine(unittest.TestCase):
             pressed = list(csv.DictReader(file))[1]
         self.assertAlmostEqual(float(pressed["fx"]), 40 + 60, delta=1e-6)
         self.assertAlmostEqual(float(pressed["fy"]), -10, delta=1e-6)
-        self.assertIn("--friction", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+        self.assertIn("--friction", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs",
                                                    "--friction", "-1"))
+
+    def test_run_by_the_smooth_law(self):
+        rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},1.1,0,0,0,0,{0.0004 * (i - 50)},1" for i in range(100)]
+        poses = self.write("rock.csv", "\n".join(rows))
+        steps = {}
+        for law in ("springs", "smooth"):
+            out = str(Path(self.folder.name) / f"{law}.csv")
+            self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--stiffness", "500",
+                        "--law", law, "--out", out)
+            with open(out, newline="") as file:
+                torques = [float(tick["tz"]) for tick in csv.DictReader(file)]
+            steps[law] = max(abs(b - a) for a, b in zip(torques, torques[1:]))
+        self.assertLess(steps["smooth"], 0.2 * steps["springs"], "a box that rocks changes its corner without a jump")
 
     def test_run_in_every_mode(self):
         rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},{1.15 - 0.001 * i},0.01,0,0,0,{0.001 * i},1" for i in range(40)]
@@ -126,7 +139,7 @@ class CommandLine(unittest.TestCase):
         forces = {}
         for mode in ("global", "descent", "certified"):
             out = str(Path(self.folder.name) / f"{mode}.csv")
-            self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--stiffness", "500",
+            self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs", "--stiffness", "500",
                         "--mode", mode, "--global-every", "7", "--out", out)
             with open(out, newline="") as file:
                 ticks = list(csv.DictReader(file))
@@ -144,7 +157,7 @@ class CommandLine(unittest.TestCase):
         poses = self.write("slow.csv", "\n".join(rows))
         for mode in ("global", "descent", "certified"):
             out = str(Path(self.folder.name) / f"threaded_{mode}.csv")
-            summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--mode",
+            summary = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs", "--mode",
                                              mode, "--threaded", "--out", out, "--json"))
             with open(out, newline="") as file:
                 ticks = list(csv.DictReader(file))
@@ -169,7 +182,7 @@ class CommandLine(unittest.TestCase):
         backwards = self.write("backwards.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n0,0,0,0,0,0,0,1\n")
         self.assertIn("backwards.csv", self.complaint(*run, backwards, "--threaded"))
         self.assertIn("--global-every", self.complaint(*run, poses, "--global-every", "0"))
-        self.assertIn("springs", self.complaint(*run, poses, "--law", "smooth"))
+        self.assertIn("smooth", self.complaint(*run, poses, "--law", "telepathic"))
         self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", "1", "2", "--cutoff", "1"))
         self.assertIn("--cutoff", self.complaint("query", self.box, self.box, "--pose", *"0000001", "--cutoff", "-1"))
         self.assertIn("--pose", self.complaint("query", self.box, self.box, "--pose", *"0000000", "--cutoff", "1"))

@@ -153,7 +153,7 @@ TEST_F(MaterialTest, SettersTakeEffect) {
 TEST_F(MaterialTest, OlderStructsAreAsBefore) {
   plp_scene_options old = options();
   old.damping = 1e6;  // behind the old struct's end
-  old.struct_size = offsetof(plp_scene_options, damping);
+  old.struct_size = offsetof(plp_scene_options, law);
   EXPECT_NEAR(force_of(old, at(1.102, 0, 0), at(1.1, 0, 0))[0], 100.0, 1e-6);
 }
 

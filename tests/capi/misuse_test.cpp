@@ -350,7 +350,7 @@ TEST_F(Misuse, EveryInputStructHasItsSizeChecked) {
   triangles.struct_size += 1;
   model_options.struct_size -= 1;
   expect_refused(plp_model_create_from_triangles(&triangles, &model_options, &model), "options->struct_size");
-  scene_options.struct_size = offsetof(plp_scene_options, damping) - 1;  // the first version's size, less one
+  scene_options.struct_size = offsetof(plp_scene_options, law) - 1;  // the first version's size, less one
   expect_refused(plp_scene_create(&scene_options, &scene), "options->struct_size");
   placed.struct_size = offsetof(plp_body_options, damping) - 1;
   expect_refused(add(placed), "options->struct_size");

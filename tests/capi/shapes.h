@@ -107,6 +107,7 @@ class TestScene {
     plp_scene_options options;
     plp_scene_options_init(&options);
     options.cutoff = cutoff;
+    options.law = PLP_LAW_SPRINGS;
     return options;
   }
 

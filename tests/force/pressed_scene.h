@@ -30,6 +30,7 @@ class PressedScene {
     options.cutoff = kCutoff;
     options.stiffness = kStiffness;
     options.mode = mode;
+    options.law = ForceLaw::kSprings;
     options.fade_time = 0.02;
     return options;
   }

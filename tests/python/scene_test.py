@@ -10,7 +10,7 @@ from shapes import beside, box
 
 class SceneTest(unittest.TestCase):
     def setUp(self):
-        self.scene = palpate.Scene(0.2)
+        self.scene = palpate.Scene(0.2, law="springs")
         self.wall = self.scene.add(box())
         self.tool = self.scene.add(box(), beside(1.1), "tool")
 
@@ -62,6 +62,8 @@ class SceneTest(unittest.TestCase):
             self.scene.mode = "telepathic"
         with self.assertRaises(palpate.InvalidArgument):
             palpate.Scene(0.2, mode="telepathic")
+        with self.assertRaises(palpate.InvalidArgument):
+            palpate.Scene(0.2, law="telepathic")
         self.assertEqual(self.scene.mode, "certified")
 
     def test_a_body_has_its_own_stiffness(self):
@@ -70,7 +72,7 @@ class SceneTest(unittest.TestCase):
         self.assertAlmostEqual(self.scene.step().wrench.force[0], 10 * (0.2 - 0.1), delta=1e-9)
 
     def test_damping_friction_and_cap(self):
-        scene = palpate.Scene(0.2, damping=30.0, friction=0.1, stiffness_cap=400.0)
+        scene = palpate.Scene(0.2, law="springs", damping=30.0, friction=0.1, stiffness_cap=400.0)
         scene.add(box())
         tool = scene.add(box(), beside(1.102, -0.002), "tool")
         self.assertEqual((scene.damping, scene.friction, scene.stiffness_cap), (30.0, 0.1, 400.0))
@@ -130,7 +132,7 @@ class SceneTest(unittest.TestCase):
 
     def test_another_space(self):
         millimetres_z_up = palpate.Space((1, 3, -2), metres_per_unit=0.001)
-        scene = palpate.Scene(200.0, space=millimetres_z_up)
+        scene = palpate.Scene(200.0, space=millimetres_z_up, law="springs")
         scene.add(box())
         tool = scene.add(box(), beside(0, 0, 1100), "tool")
         contacts = scene.step()

@@ -69,7 +69,7 @@ class FixedSearch : public testing::Test {
 TEST_F(FixedSearch, WithRoomFindsTheSame) {
   PairSearch pair;
   move(pair, motion_[0]);
-  pair.fix({}, service_);
+  pair.fix({}, service_, false);
   for (const Pose& pose : motion_) {
     move(pair, pose);
     EXPECT_FALSE(pair.found().cut);
@@ -83,7 +83,7 @@ TEST_F(FixedSearch, WithoutRoomFollowsWhatItKnowsAndAsksForMore) {
   Pose far = motion_[0];
   far.translation *= 100.0;
   move(pair, far);
-  pair.fix({.front = 600, .minima = 600, .overlaps = 64}, service_);
+  pair.fix({.front = 600, .minima = 600, .overlaps = 64}, service_, false);
   bool lost = false;
   std::size_t followed = 0;
   for (const Pose& pose : motion_) {
@@ -100,7 +100,7 @@ TEST_F(FixedSearch, WithoutRoomFollowsWhatItKnowsAndAsksForMore) {
   PairSearch prepared;
   const Pose& before = motion_[motion_.size() - 2];
   move(prepared, before);
-  prepared.fix({}, std::make_shared<FakeService>());
+  prepared.fix({}, std::make_shared<FakeService>(), false);
   pair.take(prepared);
   EXPECT_TRUE(pair.ready());
   move(pair, motion_.back());
@@ -125,7 +125,7 @@ TEST(FixedSearchAlone, GoesOnPushingWhenAFrontIsLost) {
   pair.update(*model, *model, situation, search);
   const std::uint32_t known = pair.found().set_count;
   ASSERT_GT(known, 1u);
-  pair.fix({.front = 1, .minima = 300, .overlaps = 64}, std::make_shared<FakeService>());
+  pair.fix({.front = 1, .minima = 300, .overlaps = 64}, std::make_shared<FakeService>(), false);
   situation.cutoff *= 10.0;
   pair.update(*model, *model, situation, search);
   EXPECT_TRUE(pair.found().cut) << "four times what was used is not enough for this cutoff";
@@ -136,7 +136,7 @@ TEST_F(FixedSearch, DescendsFromTheSetsOfItsService) {
   situation_.mode = SearchMode::kDescent;
   PairSearch pair;
   move(pair, motion_[0]);
-  pair.fix({}, service_);
+  pair.fix({}, service_, false);
   std::size_t found = 0, complete = 0;
   for (std::size_t i = 0; i < motion_.size(); ++i) {
     if (i % 8 == 3) {

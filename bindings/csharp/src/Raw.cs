@@ -61,6 +61,9 @@ namespace Palpate
         public const int PLP_STATUS_WAITING = 4;
         public const int PLP_STATUS_WALL = 8;
 
+        public const int PLP_LAW_SPRINGS = 0;
+        public const int PLP_LAW_SMOOTH = 1;
+
         public const int PLP_MODE_GLOBAL = 0;
         public const int PLP_MODE_DESCENT = 1;
         public const int PLP_MODE_CERTIFIED = 2;
@@ -235,6 +238,8 @@ namespace Palpate
             public double cutoff;
             public double stiffness;
             public fixed double reference_point[3];
+            public int law;
+            public uint reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -247,6 +252,8 @@ namespace Palpate
             public double stiffness;
             public int mode;
             public uint global_every;
+            public int law;
+            public uint reserved;
             public double damping;
             public double stiffness_cap;
             public double friction;
@@ -396,6 +403,9 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_set_mode(IntPtr scene, int mode);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_law(IntPtr scene, int law);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_set_stiffness(IntPtr scene, double stiffness);

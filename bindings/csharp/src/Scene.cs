@@ -16,6 +16,16 @@ namespace Palpate
         Certified = Raw.PLP_MODE_CERTIFIED
     }
 
+    /// <summary>What pushes of what is found.</summary>
+    public enum Law
+    {
+        /// <summary>Every LMD is a spring: it jumps where an LMD comes or goes.</summary>
+        Springs = Raw.PLP_LAW_SPRINGS,
+
+        /// <summary>Near minima share springs: force and torque are continuous in the pose.</summary>
+        Smooth = Raw.PLP_LAW_SMOOTH
+    }
+
     /// <summary>How a scene is made. Only the cutoff must be set.</summary>
     public sealed unsafe class SceneOptions
     {
@@ -47,6 +57,47 @@ namespace Palpate
         {
             get => (Mode)Struct.mode;
             set => Struct.mode = (int)value;
+        }
+
+        public Law Law
+        {
+            get => (Law)Struct.law;
+            set => Struct.law = (int)value;
+        }
+
+        /// <summary>N·s/m, not negative: what a spring adds while it closes.</summary>
+        public double Damping
+        {
+            get => Struct.damping;
+            set => Struct.damping = value;
+        }
+
+        /// <summary>N/m: all springs together are no stiffer in any direction; 0 for no cap.</summary>
+        public double StiffnessCap
+        {
+            get => Struct.stiffness_cap;
+            set => Struct.stiffness_cap = value;
+        }
+
+        /// <summary>Coulomb's coefficient, not negative.</summary>
+        public double Friction
+        {
+            get => Struct.friction;
+            set => Struct.friction = value;
+        }
+
+        /// <summary>Seconds in which a spring fades that is lost, found late, or hands over from a wall.</summary>
+        public double FadeTime
+        {
+            get => Struct.fade_time;
+            set => Struct.fade_time = value;
+        }
+
+        /// <summary>Seconds from one step to the next; 0 for 0.001.</summary>
+        public double TimeStep
+        {
+            get => Struct.time_step;
+            set => Struct.time_step = value;
         }
 
         /// <summary>Mode.Descent: steps from one search to the next; 0 for 10.</summary>
@@ -137,6 +188,16 @@ namespace Palpate
 
         /// <summary>N/m of bodies that have none of their own.</summary>
         public void SetStiffness(double stiffness) => Check(Raw.plp_scene_set_stiffness(handle.Value, stiffness));
+
+        public void SetLaw(Law law) => Check(Raw.plp_scene_set_law(handle.Value, (int)law));
+
+        /// <summary>N·s/m of a closing spring, of bodies that have none of their own.</summary>
+        public void SetDamping(double damping) => Check(Raw.plp_scene_set_damping(handle.Value, damping));
+
+        /// <summary>N/m of all springs together; 0 for no cap.</summary>
+        public void SetStiffnessCap(double cap) => Check(Raw.plp_scene_set_stiffness_cap(handle.Value, cap));
+
+        public void SetFriction(double friction) => Check(Raw.plp_scene_set_friction(handle.Value, friction));
 
         public void SetMode(Mode mode) => Check(Raw.plp_scene_set_mode(handle.Value, (int)mode));
 

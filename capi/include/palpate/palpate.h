@@ -267,10 +267,10 @@ typedef struct plp_model_info {
   double bounds_max[3]; /**< metres */
   double diagonal;      /**< metres */
   uint64_t mesh_bytes;  /**< memory of triangles and connectivity */
-  uint64_t tree_bytes;  /**< memory of the hierarchy; 0 as long as it is not built */
+  uint64_t tree_bytes;  /**< memory of the hierarchies, one for each plp_law; 0 as long as none is built */
   uint64_t tree_nodes;
   double load_us; /**< time to read, weld and repair */
-  double tree_us; /**< time to build the hierarchy */
+  double tree_us; /**< time to build the hierarchies */
 } plp_model_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
@@ -284,7 +284,7 @@ PLP_API plp_result plp_model_get_info(plp_model model, plp_model_info* info);
  *  Valid as long as the model. @threadsafety any @since 0.1 */
 PLP_API const char* plp_model_note(plp_model model, uint32_t index);
 
-/** @brief Builds the model's hierarchy now rather than when something first comes near.
+/** @brief Builds the model's hierarchies now rather than when something first comes near.
  *  @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_prepare(plp_model model);
 
@@ -310,7 +310,7 @@ typedef struct plp_lmd {
   plp_body body_a;   /**< 0 from plp_query */
   plp_body body_b;   /**< 0 from plp_query */
   uint32_t set; /**< points of one plateau share it; 0, 1, … in order. UINT32_MAX in plp_contacts::springs: a
-                   wall, or a spring that fades */
+                   wall, a spring that fades, or one of PLP_LAW_SMOOTH */
   uint8_t feature_a; /**< plp_feature */
   uint8_t feature_b; /**< plp_feature */
   uint8_t corner_a; /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k
@@ -391,6 +391,15 @@ PLP_API plp_result plp_query_result_create(plp_query_result* result);
  *  @threadsafety object @since 0.1 */
 PLP_API plp_result plp_query_result_release(plp_query_result result);
 
+/** What pushes of what is found. */
+typedef enum plp_law {
+  PLP_LAW_SPRINGS = 0, /**< every LMD is a spring [JW04]: it jumps where an LMD comes or goes */
+  /** Feature pairs that hold an LMD or almost do share springs: force and torque are continuous in the pose
+   * and do not depend on how flat faces and straight edges are cut. An LMD by itself pushes as in the other
+   * law; where surfaces lie flush, up to one spring for each corner pushes. */
+  PLP_LAW_SMOOTH = 1
+} plp_law;
+
 /** How plp_query searches and pushes. */
 typedef struct plp_query_options {
   uint32_t struct_size;
@@ -398,9 +407,12 @@ typedef struct plp_query_options {
   double cutoff;             /**< metres, positive: LMDs farther apart are not searched */
   double stiffness;          /**< N/m, not negative: force = stiffness × (cutoff − distance) × weight */
   double reference_point[3]; /**< frame of B: torques are about it */
+  int32_t law;               /**< plp_law */
+  uint32_t reserved;         /**< 0 */
 } plp_query_options;
 
-/** @brief Fills `options`: no cutoff yet, 1000 N/m, torques about B's origin, up to 1024 overlaps.
+/** @brief Fills `options`: no cutoff yet, 1000 N/m, PLP_LAW_SPRINGS, torques about B's origin, up to 1024
+ * overlaps.
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_query_options_init(plp_query_options* options);
 
@@ -441,6 +453,8 @@ typedef struct plp_scene_options {
   double stiffness;      /**< N/m, not negative */
   int32_t mode;          /**< plp_mode */
   uint32_t global_every; /**< PLP_MODE_DESCENT: steps from one search to the next; 0 for 10 */
+  int32_t law;           /**< plp_law */
+  uint32_t reserved;     /**< 0 */
   double damping; /**< N·s/m, not negative: what a spring of weight 1 adds to its push while it closes. As
                      a device samples, this stays passive up to about m / (2 time_step), m the mass that
                      the hand holds; from stiffness × time_step on it makes up for the energy that
@@ -455,8 +469,8 @@ typedef struct plp_scene_options {
                        1; 0 for 0.001 */
 } plp_scene_options;
 
-/** @brief Fills `options`: Palpate's space, no cutoff yet, 1000 N/m without damping, friction or cap, fading
- * in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
+/** @brief Fills `options`: Palpate's space, no cutoff yet, PLP_LAW_SMOOTH, 1000 N/m without damping, friction
+ * or cap, fading in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options);
 
@@ -515,6 +529,11 @@ PLP_API plp_result plp_scene_set_cutoff(plp_scene scene, double cutoff);
 /** @brief Sets how LMDs are found from the next step on (plp_mode). @return PLP_ERROR_INVALID_HANDLE or
  *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_mode(plp_scene scene, int32_t mode);
+
+/** @brief Sets what pushes from the next step on (plp_law). A servo goes on with PLP_LAW_SPRINGS until its
+ * near pairs are ready for the smooth law. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_set_law(plp_scene scene, int32_t law);
 
 /** @brief Sets the stiffness (N/m, not negative). @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
  *  @threadsafety any @since 0.1 */

@@ -23,7 +23,7 @@ namespace Palpate.Tests
                 int[] inward = (int[])Samples.BoxIndices.Clone();
                 Array.Reverse(inward);
                 Model box = Model.FromTriangles(Samples.BoxPositions, inward);
-                scene = new Scene(new SceneOptions { Cutoff = 0.2 });
+                scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.2 });
                 scene.Add(box);
                 scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(1.1, 0, 0) });
                 return scene.Step().Wrench.Force.X;

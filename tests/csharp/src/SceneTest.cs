@@ -12,7 +12,7 @@ namespace Palpate.Tests
             foreach (Mode mode in new[] { Mode.Global, Mode.Descent, Mode.Certified })
             {
                 using (Model box = Samples.Box())
-                using (var scene = new Scene(new SceneOptions { Cutoff = 0.2, Mode = mode }))
+                using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.2, Mode = mode }))
                 {
                     Body wall = scene.Add(box);
                     Body tool = scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(1.15, 0, 0) });
@@ -34,7 +34,7 @@ namespace Palpate.Tests
         public void SettingsTakeEffect()
         {
             using (Model box = Samples.Box())
-            using (var scene = new Scene(new SceneOptions { Cutoff = 0.05, Stiffness = 1 }))
+            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.05, Stiffness = 1 }))
             {
                 scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(1.1, 0, 0) });
                 scene.Add(box);
@@ -71,7 +71,7 @@ namespace Palpate.Tests
         {
             // Z up and centimetres: what lies above is along the third axis.
             using (Model box = Samples.Box())
-            using (var scene = new Scene(new SceneOptions { Cutoff = 20, Space = new Space(1, 3, -2, 0.01) }))
+            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 20, Space = new Space(1, 3, -2, 0.01) }))
             {
                 scene.Add(box);
                 scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(0, 0, 110) });
@@ -85,7 +85,7 @@ namespace Palpate.Tests
         public void AScenesOwnTorquePoint()
         {
             using (Model box = Samples.Box())
-            using (var scene = new Scene(new SceneOptions { Cutoff = 0.2 }))
+            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.2 }))
             {
                 scene.Add(box, new BodyOptions { Stiffness = 10 });
                 scene.Add(box, new BodyOptions
@@ -99,7 +99,7 @@ namespace Palpate.Tests
         [Test]
         public void ASceneKeepsItsModels()
         {
-            using (var scene = new Scene(new SceneOptions { Cutoff = 0.2 }))
+            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.2 }))
             {
                 using (Model box = Samples.Box())
                 {
@@ -115,7 +115,7 @@ namespace Palpate.Tests
         {
             for (int i = 0; i < 200; ++i)
             {
-                var scene = new Scene(new SceneOptions { Cutoff = 0.2 });
+                var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 0.2 });
                 scene.Add(Samples.Box());
                 scene.Step();
             }

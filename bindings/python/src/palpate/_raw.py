@@ -56,6 +56,9 @@ PLP_STATUS_CUT = 2
 PLP_STATUS_WAITING = 4
 PLP_STATUS_WALL = 8
 
+PLP_LAW_SPRINGS = 0
+PLP_LAW_SMOOTH = 1
+
 PLP_MODE_GLOBAL = 0
 PLP_MODE_DESCENT = 1
 PLP_MODE_CERTIFIED = 2
@@ -214,6 +217,8 @@ class plp_query_options(Structure):
         ("cutoff", c_double),
         ("stiffness", c_double),
         ("reference_point", c_double * 3),
+        ("law", c_int32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -226,6 +231,8 @@ class plp_scene_options(Structure):
         ("stiffness", c_double),
         ("mode", c_int32),
         ("global_every", c_uint32),
+        ("law", c_int32),
+        ("reserved", c_uint32),
         ("damping", c_double),
         ("stiffness_cap", c_double),
         ("friction", c_double),
@@ -333,6 +340,7 @@ plp_scene_set_pose = _function("plp_scene_set_pose", _result, _handle, _body, PO
 plp_scene_get_pose = _function("plp_scene_get_pose", _result, _handle, _body, POINTER(plp_pose))
 plp_scene_set_cutoff = _function("plp_scene_set_cutoff", _result, _handle, c_double)
 plp_scene_set_mode = _function("plp_scene_set_mode", _result, _handle, c_int32)
+plp_scene_set_law = _function("plp_scene_set_law", _result, _handle, c_int32)
 plp_scene_set_stiffness = _function("plp_scene_set_stiffness", _result, _handle, c_double)
 plp_scene_set_damping = _function("plp_scene_set_damping", _result, _handle, c_double)
 plp_scene_set_stiffness_cap = _function("plp_scene_set_stiffness_cap", _result, _handle, c_double)

@@ -7,6 +7,7 @@ from ._errors import InvalidHandle, check
 from ._native import Closing, create
 from ._numbers import doubles, uint32
 from .contacts import Contacts, new_contacts_struct
+from .law import Law, law_number
 from .model import Model
 from .pose import PoseLike, pose_struct
 
@@ -19,21 +20,23 @@ class QueryResult(Closing):
 
 
 def _options(cutoff: float, stiffness: float, reference_point: Iterable[float],
-             max_overlaps: int) -> _raw.plp_query_options:
+             max_overlaps: int, law: Law) -> _raw.plp_query_options:
     options = _raw.plp_query_options()
     _raw.plp_query_options_init(options)
     options.cutoff = cutoff
     options.stiffness = stiffness
     options.reference_point = doubles(reference_point, 3, "reference_point")
+    options.law = law_number(law)
     options.max_overlaps = uint32(max_overlaps, "max_overlaps")
     return options
 
 
 def query(a: Model, b: Model, pose: PoseLike, cutoff: float, *, stiffness: float = 1000.0,
           reference_point: Iterable[float] = (0.0, 0.0, 0.0), max_overlaps: int = 1024,
-          result: QueryResult | None = None) -> Contacts:
+          law: Law = "springs", result: QueryResult | None = None) -> Contacts:
     """Finds every local minimum distance within `cutoff` metres between two models, and the wrench of their springs on
-    B: force = stiffness × (cutoff − distance) × weight, in newtons.
+    B: force = stiffness × (cutoff − distance) × weight, in newtons. Under `law` "smooth" what pushes is shared so that it
+    is continuous in the pose: see `springs` of the outcome.
 
     `pose` is B's frame in A's. Points, normals, forces and the torque are in A's frame, the torque about
     `reference_point`, which is in B's. At most `max_overlaps` overlapping pairs are listed. With `result` the outcome
@@ -42,7 +45,7 @@ def query(a: Model, b: Model, pose: PoseLike, cutoff: float, *, stiffness: float
     native = room._native
     if native is None:
         raise InvalidHandle("result is closed")
-    options = _options(cutoff, stiffness, reference_point, max_overlaps)
+    options = _options(cutoff, stiffness, reference_point, max_overlaps, law)
     a_from_b = pose_struct(pose)
     # A search that fails empties the room, too.
     native.generation += 1

@@ -9,6 +9,7 @@ from ._errors import InvalidArgument, InvalidHandle, check
 from ._native import Closing, Native, create
 from ._numbers import doubles, uint32
 from .contacts import Contacts, new_contacts_struct
+from .law import Law, law_number
 from .model import Model
 from .pose import Pose, PoseLike, pose_of, pose_struct
 from .servo import ServoState, servo_options, servo_state
@@ -61,13 +62,14 @@ class Scene(Closing):
     step it and read contacts."""
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
-                 mode: Mode = "certified",
+                 mode: Mode = "certified", law: Law = "smooth",
                  global_every: int = 10, max_overlaps: int = 1024, damping: float = 0.0, stiffness_cap: float = 0.0,
                  friction: float = 0.0, fade_time: float = 0.02, time_step: float = 0.001) -> None:
         """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own.
         `mode`: "global" searches from scratch in every step; "certified" keeps the complete set up to date; "descent"
         follows what a search found, repeated after `global_every` steps, and learns of new contacts late.
-        `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap` in N/m: all springs together are no
+        `law`: under "smooth" force and torque are continuous in the pose; under "springs" every contact pushes for itself
+        and jumps as it comes and goes. `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap` in N/m: all springs together are no
         stiffer in any direction; 0 for no cap. `friction`: Coulomb's coefficient. `fade_time`: seconds in which a
         spring fades that "descent" loses or finds late, or that hands over from a wall. `time_step`: seconds from
         one step to the next, for velocities."""
@@ -78,6 +80,7 @@ class Scene(Closing):
         options.max_overlaps = uint32(max_overlaps, "max_overlaps")
         options.mode = _mode(mode)
         options.global_every = uint32(global_every, "global_every")
+        options.law = law_number(law)
         options.damping = damping
         options.stiffness_cap = stiffness_cap
         options.friction = friction
@@ -89,6 +92,7 @@ class Scene(Closing):
         self._cutoff = options.cutoff
         self._stiffness = options.stiffness
         self._mode: Mode = mode
+        self._law: Law = law
         self._damping = options.damping
         self._stiffness_cap = options.stiffness_cap
         self._friction = options.friction
@@ -101,6 +105,15 @@ class Scene(Closing):
     def mode(self, mode: Mode) -> None:
         check(_raw.plp_scene_set_mode(self._handle, _mode(mode)))
         self._mode = mode
+
+    @property
+    def law(self) -> Law:
+        return self._law
+
+    @law.setter
+    def law(self, law: Law) -> None:
+        check(_raw.plp_scene_set_law(self._handle, law_number(law)))
+        self._law = law
 
     @property
     def cutoff(self) -> float:
