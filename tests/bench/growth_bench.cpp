@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include "tests/bench/benches.h"
+#include "tests/bench/engine_methods.h"
+#include "tests/bench/fcl_methods.h"
+#include "tests/bench/sized_shape.h"
+
+namespace palpate::bench {
+namespace {
+
+constexpr double kCutoff = 0.02;  // of the diagonal
+constexpr double kToolScale = 0.4;
+
+// The methods of all sizes run by turns, so that the growth is of one and the same minutes.
+struct Sized {
+  Methods methods;
+  std::vector<std::string> parameters;  // of each method
+};
+
+void add_size(const Course& motion, double triangles, bool peers, Sized& sized) {
+  const auto shape = make_model(sized_shape(triangles));
+  const Course course{shape, motion.b, motion.cutoff, {}};
+  const std::string parameters = "triangles=" + std::to_string(shape->mesh().triangles.size());
+  const auto add = [&](std::unique_ptr<Method> method) {
+    sized.methods.push_back(std::move(method));
+    sized.parameters.push_back(parameters);
+  };
+  shape->tree();
+  add(search_method(course));
+  add(front_method(course));
+  add(descent_method(course, DescentForm::kPolar));
+  if (peers) add(fcl_rss_method(course));
+}
+
+}  // namespace
+
+void bench_growth(const Effort& effort, Table& table) {
+  const auto tool = asset_model("organic_2200", kToolScale);
+  const Course motion = course_of(asset_model("organic_97k"), tool, kCutoff, effort.poses());
+  Sized sized;
+  for (double size : sizes_from(10e3, effort)) {
+    table.say("growth: preparing " + std::to_string(static_cast<long>(size)) + " triangles");
+    add_size(motion, size, size <= 1e6, sized);
+  }
+  const std::vector<Run> runs = run_by_turns(sized.methods, motion.poses);
+  for (std::size_t m = 0; m < runs.size(); ++m) {
+    const Method& method = *sized.methods[m];
+    const auto add = [&](const char* quantity, const char* unit, const Series& values) {
+      table.add({"growth", "organic", method.name(), method.returns(), sized.parameters[m], quantity, unit},
+                values);
+    };
+    add("time", "us", time_us(runs[m]));
+    add("time_per_lmd", "us", per_lmd_us(runs[m]));
+    add("lmds", "sets", lmds(runs[m]));
+    add("interrupted", "ticks", interruptions(runs[m]));
+  }
+}
+
+}  // namespace palpate::bench
