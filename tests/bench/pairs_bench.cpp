@@ -3,6 +3,7 @@
 
 #include "tests/bench/benches.h"
 #include "tests/bench/bullet_method.h"
+#include "tests/bench/coal_method.h"
 #include "tests/bench/decimate.h"
 #include "tests/bench/engine_methods.h"
 #include "tests/bench/fcl_methods.h"
@@ -18,6 +19,7 @@ constexpr unsigned kGlobalPeriods[] = {2, 10, 50, 200};
 constexpr std::size_t kDivisors[] = {4, 16, 64};
 
 const char* kComplete = "complete set";
+const char* kOneMinimum = "one minimum";
 
 // Methods, and for each the index of the one that is exact under its law.
 struct Field {
@@ -59,6 +61,7 @@ Field field_of(const Course& course, bool all) {
   field.add(descent_method(course, DescentForm::kNeighbourhood), 0);
   field.add(fcl_obbrss_method(course), 0);
   field.add(fcl_rss_method(course), 0);
+  if (auto coal = coal_method(course)) field.add(std::move(coal), 0);
   if (!all) return field;
   add_decimated(course, field);
   field.add(point_shell_method(course), 0);
@@ -128,7 +131,7 @@ void report(const Reported& what, const Field& field, const std::vector<Run>& ru
     add("lmds", "sets", lmds(runs[m]));
     add("force_error", "k*cutoff", errors.force);
     add("torque_error", "k*cutoff*radius", errors.torque);
-    if (method.name().starts_with("fcl")) {
+    if (method.returns() == kOneMinimum) {
       add("distance_error", "cutoff", distance_errors(runs[m], exact, what.course.cutoff));
     } else {
       add("lmds_missed", "sets", errors.missed);
@@ -142,7 +145,7 @@ void report_best_fcl(const Reported& what, const Field& field, const std::vector
     const auto found = std::ranges::find_if(field.methods, [&](const auto& m) { return m->name() == name; });
     return static_cast<std::size_t>(found - field.methods.begin());
   };
-  table.add({"pairs", what.scene.name, "fcl_best", "one minimum", what.parameters, "time", "us"},
+  table.add({"pairs", what.scene.name, "fcl_best", kOneMinimum, what.parameters, "time", "us"},
             best_of(runs[at("fcl_obbrss")], runs[at("fcl_rss")]));
 }
 
