@@ -8,16 +8,16 @@ from svg import COLOURS, Chart, Drawing
 
 NO_ERROR = 1e-4  # of k · cutoff: the bottom of the chart stands for none
 
-# Of time against error: label, colour, methods that a line joins, quantity of their time.
+# Of time against error: label, whether it stands right of its first point, colour, methods that a line joins, quantity
+# of their time.
 FAMILIES = [
-    ("certified", "blue", ["scene_certified"], "time"),
-    ("global", "green", ["scene_global"], "time"),
-    ("descent, a search every 2, 10, 50, 200 ticks", "violet", [f"scene_descent_{n}" for n in (2, 10, 50, 200)],
-     "servo_time"),
-    ("decimated to 1/4, 1/16, 1/64", "orange", [f"decimated_{n}" for n in (4, 16, 64)], "time"),
-    ("point shell", "grey", ["point_shell"], "time"),
-    ("FCL, one minimum", "red", ["fcl_rss"], "time"),
-    ("Bullet, one contact", "red", ["bullet_gimpact"], "time"),
+    ("certified", False, "blue", ["scene_certified"], "time"),
+    ("global", True, "green", ["scene_global"], "time"),
+    ("descent", True, "violet", [f"scene_descent_{n}" for n in (2, 10, 50, 200)], "servo_time"),
+    ("decimated", True, "orange", [f"decimated_{n}" for n in (4, 16, 64)], "time"),
+    ("point shell", True, "grey", ["point_shell"], "time"),
+    ("FCL", True, "red", ["fcl_rss"], "time"),
+    ("Bullet", True, "red", ["bullet_gimpact"], "time"),
 ]
 GROWTH = [("search", "green"), ("kinetic_front", "blue"), ("descent_polar", "violet"), ("fcl_rss", "red")]
 
@@ -29,7 +29,7 @@ def chosen_scenes(results):
 
 
 def draw_family(results, chart, scene, family):
-    label, colour, methods, quantity = family
+    label, right, colour, methods, quantity = family
     points = []
     for method in methods:
         time = results.pair(scene, method, quantity, "p50")
@@ -40,7 +40,7 @@ def draw_family(results, chart, scene, family):
         return
     chart.line(points, COLOURS[colour])
     chart.dots(points, COLOURS[colour])
-    chart.label(points[0], label.split(",")[0].split(" to ")[0], COLOURS[colour])
+    chart.label(points[0], label, COLOURS[colour], right)
 
 
 def time_against_error(results, path):
@@ -53,19 +53,19 @@ def time_against_error(results, path):
                       "RMS error / (k · cutoff)")
         for family in FAMILIES:
             draw_family(results, chart, scene, family)
-    drawing.text(500, drawing.height - 10, "descent: a search every 2, 10, 50, 200 ticks beside it · decimated to 1/4, "
-                 f"1/16, 1/64 · the bottom line: at most {NO_ERROR:g}", "middle")
+    drawing.text(500, drawing.height - 10, "descent: beside it a search every 2 (labelled), 10, 50, 200 ticks · decimated "
+                 f"to 1/4 (labelled), 1/16, 1/64 · FCL, Bullet: one contact · the bottom line: at most {NO_ERROR:g}",
+                 "middle")
     drawing.write(path)
 
 
 def growth(results, path):
     drawing = Drawing(640, 440, "Time of a tick against the number of triangles")
-    chart = Chart(drawing, (70, 60, 520, 310), (1e4, 1e7), (1, 1e4), "one shape, the same motion and tool",
+    most = max(results.against("growth", "triangles", GROWTH[0][0], "time", "p50"))[0]
+    chart = Chart(drawing, (70, 60, 520, 310), (9e3, 4 * most), (1, 1e4), "one shape, the same motion and tool",
                   "triangles", "µs (line: median, dashes: p99)")
     for method, colour in GROWTH:
         median = results.against("growth", "triangles", method, "time", "p50")
-        if not median:
-            continue
         chart.line(median, COLOURS[colour])
         chart.dots(median, COLOURS[colour])
         chart.line(results.against("growth", "triangles", method, "time", "p99"), COLOURS[colour], dash="4 3")
@@ -74,17 +74,21 @@ def growth(results, path):
 
 
 def ratio_to_fcl(results, path):
-    scenes = results.scenes()
-    drawing = Drawing(900, 100 + 56 * len(scenes), "FCL's single minimum takes so many times longer than the complete set")
-    left, top, height = 220, 60, 56 * len(scenes)
-    chart = Chart(drawing, (left, top, 620, height), (0.1, 1000), (1, 10), "", "times longer, at the median (log)", "")
+    scenes, step = results.scenes(), 56
+    left, top, height = 220, 70, step * len(results.scenes())
+    drawing = Drawing(900, top + height + 50, "FCL's single minimum takes so many times longer than our complete set")
+    chart = Chart(drawing, (left, top, 620, height), (0.1, 100), None, "", "times longer, at the median", "")
+    for bar, colour in ((8, "blue"), (2, "green")):
+        drawing.line([(chart.x(bar), top), (chart.x(bar), top + height)], COLOURS[colour], dash="4 3")
+        drawing.text(chart.x(bar), top - 4, f"aim {bar}", "middle", colour=COLOURS[colour])
     for i, scene in enumerate(scenes):
-        drawing.text(left - 10, top + 56 * i + 32, scene, "end")
+        drawing.text(left - 10, top + step * i + 32, scene, "end")
         for k, (method, colour) in enumerate((("scene_certified", "blue"), ("scene_global", "green"))):
             ratio = results.pair(scene, "fcl_best", "time", "p50") / results.pair(scene, method, "time", "p50")
-            x = chart.x(ratio)
-            drawing.box(min(x, chart.x(1)), top + 56 * i + 8 + 20 * k, abs(x - chart.x(1)), 16, COLOURS[colour])
-            drawing.text(x + 6, top + 56 * i + 20 + 20 * k, f"{ratio:.1f} {method.removeprefix('scene_')}")
+            y = top + step * i + 8 + 20 * k
+            ends = sorted((chart.x(ratio), chart.x(1)))
+            drawing.box(ends[0], y, ends[1] - ends[0], 16, COLOURS[colour])
+            drawing.text(ends[1] + 6, y + 12, f"{ratio:.1f} {method.removeprefix('scene_')}")
     drawing.write(path)
 
 

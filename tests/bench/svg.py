@@ -45,6 +45,8 @@ class Drawing:
         self.parts.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" fill="{colour}"/>')
 
     def text(self, x, y, text, anchor="start", size=11, colour=INK, weight="normal", turn=0):
+        if not text:
+            return
         turned = f' transform="rotate({turn} {x:.1f} {y:.1f})"' if turn else ""
         self.parts.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" font-size="{size}" fill="{colour}" '
                           f'font-weight="{weight}"{turned}>{escape(text)}</text>')
@@ -56,22 +58,23 @@ class Drawing:
 
 
 class Chart:
-    """A frame with two logarithmic axes inside a drawing."""
+    """A frame with logarithmic axes inside a drawing; without a range of y it has only that of x."""
 
     def __init__(self, drawing, place, x_range, y_range, title, x_label, y_label):
         left, top, width, height = place
         self.drawing = drawing
         self.x = Axis(*x_range, left, left + width)
-        self.y = Axis(*y_range, top + height, top)
         for value in self.x.decades():
             drawing.line([(self.x(value), top), (self.x(value), top + height)], FAINT, 1)
             drawing.text(self.x(value), top + height + 15, number(value), "middle")
-        for value in self.y.decades():
-            drawing.line([(left, self.y(value)), (left + width, self.y(value))], FAINT, 1)
-            drawing.text(left - 6, self.y(value) + 4, number(value), "end")
+        if y_range:
+            self.y = Axis(*y_range, top + height, top)
+            for value in self.y.decades():
+                drawing.line([(left, self.y(value)), (left + width, self.y(value))], FAINT, 1)
+                drawing.text(left - 6, self.y(value) + 4, number(value), "end")
+            drawing.text(left - 46, top + height / 2, y_label, "middle", turn=-90)
         drawing.text(left + width / 2, top - 8, title, "middle", 13, weight="bold")
         drawing.text(left + width / 2, top + height + 32, x_label, "middle")
-        drawing.text(left - 46, top + height / 2, y_label, "middle", turn=-90)
 
     def points(self, values):
         return [(self.x(x), self.y(y)) for x, y in values]

@@ -1,4 +1,5 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source this file.
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source
+# this file.
 
 palpate_build_packages=(
   g++ cmake ninja-build
