@@ -58,14 +58,14 @@ struct Deepest : btCollisionWorld::ContactResultCallback {
 
 class BulletContact : public Method {
  public:
-  explicit BulletContact(const Course& course)
-      : scale_(kBulletDiagonal / course.a->bounds().diagonal()),
-        cutoff_(course.cutoff),
-        centre_(course.b->centre()),
+  explicit BulletContact(const ModelPair& pair)
+      : scale_(kBulletDiagonal / pair.a->bounds().diagonal()),
+        cutoff_(pair.cutoff),
+        centre_(pair.b->centre()),
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &configuration_),
-        a_(course.a->mesh(), scale_, 0.5 * scale_ * course.cutoff),
-        b_(course.b->mesh(), scale_, 0.5 * scale_ * course.cutoff) {
+        a_(pair.a->mesh(), scale_, 0.5 * scale_ * pair.cutoff),
+        b_(pair.b->mesh(), scale_, 0.5 * scale_ * pair.cutoff) {
     dispatcher_.registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, GIMPACT_SHAPE_PROXYTYPE, &gimpact_);
   }
 
@@ -109,8 +109,8 @@ class BulletContact : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> bullet_method(const Course& course) {
-  return std::make_unique<BulletContact>(course);
+std::unique_ptr<Method> bullet_method(const ModelPair& pair) {
+  return std::make_unique<BulletContact>(pair);
 }
 
 }  // namespace palpate::bench

@@ -40,11 +40,11 @@ DVec3 point_of(const coal::Vec3s& point) {
 
 class CoalDistance : public Method {
  public:
-  explicit CoalDistance(const Course& course)
-      : a_(coal_model(course.a->mesh())),
-        b_(coal_model(course.b->mesh())),
-        centre_(course.b->centre()),
-        cutoff_(course.cutoff) {}
+  explicit CoalDistance(const ModelPair& pair)
+      : a_(coal_model(pair.a->mesh())),
+        b_(coal_model(pair.b->mesh())),
+        centre_(pair.b->centre()),
+        cutoff_(pair.cutoff) {}
 
   std::string name() const override { return "coal_obbrss"; }
   std::string returns() const override { return "one minimum"; }
@@ -80,13 +80,13 @@ class CoalDistance : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> coal_method(const Course& course) {
-  return std::make_unique<CoalDistance>(course);
+std::unique_ptr<Method> coal_method(const ModelPair& pair) {
+  return std::make_unique<CoalDistance>(pair);
 }
 
 #else
 
-std::unique_ptr<Method> coal_method(const Course&) {
+std::unique_ptr<Method> coal_method(const ModelPair&) {
   return nullptr;
 }
 

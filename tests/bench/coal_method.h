@@ -6,6 +6,6 @@
 namespace palpate::bench {
 
 // Coal's distance between two triangle models, with nearest points. Null where this build has not found Coal.
-std::unique_ptr<Method> coal_method(const Course& course);
+std::unique_ptr<Method> coal_method(const ModelPair& pair);
 
 }  // namespace palpate::bench

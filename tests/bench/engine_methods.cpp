@@ -7,17 +7,17 @@
 namespace palpate::bench {
 namespace {
 
-SearchOptions options_of(const Course& course) {
+SearchOptions options_of(const ModelPair& pair) {
   SearchOptions options;
-  options.cutoff = course.cutoff;
+  options.cutoff = pair.cutoff;
   return options;
 }
 
 // What the engine's methods have in common.
 class EngineMethod : public Method {
  public:
-  explicit EngineMethod(const Course& course)
-      : a_(course.a), b_(course.b), options_(options_of(course)), cutoff_(course.cutoff) {}
+  explicit EngineMethod(const ModelPair& pair)
+      : a_(pair.a), b_(pair.b), options_(options_of(pair)), cutoff_(pair.cutoff) {}
 
   std::string returns() const override { return "complete set"; }
 
@@ -56,6 +56,7 @@ class Front : public EngineMethod {
   using EngineMethod::EngineMethod;
   std::string name() const override { return "kinetic_front"; }
   void update(const Pose& a_from_b) override { front_.update(*a_, *b_, a_from_b, options_, found_); }
+  void restart() override { front_.forget(); }
 
  private:
   KineticFront front_;
@@ -63,7 +64,7 @@ class Front : public EngineMethod {
 
 class Descent : public EngineMethod {
  public:
-  Descent(const Course& course, DescentForm form) : EngineMethod(course), form_(form), tracker_(form) {
+  Descent(const ModelPair& pair, DescentForm form) : EngineMethod(pair), form_(form), tracker_(form) {
     // As far beyond the cutoff as the tool can go until the next search.
     options_.cutoff += kPeriod * 1e-3 * kSpeed * a_->bounds().diagonal();
   }
@@ -73,6 +74,10 @@ class Descent : public EngineMethod {
   }
   std::string returns() const override { return "LMDs followed from the last search"; }
 
+  void restart() override {
+    tracker_.forget();
+    age_ = 0;
+  }
   void prepare(const Pose& a_from_b) override {
     EngineMethod::prepare(a_from_b);
     if (age_++ % kPeriod != 0) return;
@@ -100,16 +105,16 @@ class Descent : public EngineMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> search_method(const Course& course) {
-  return std::make_unique<Search>(course);
+std::unique_ptr<Method> search_method(const ModelPair& pair) {
+  return std::make_unique<Search>(pair);
 }
 
-std::unique_ptr<Method> front_method(const Course& course) {
-  return std::make_unique<Front>(course);
+std::unique_ptr<Method> front_method(const ModelPair& pair) {
+  return std::make_unique<Front>(pair);
 }
 
-std::unique_ptr<Method> descent_method(const Course& course, DescentForm form) {
-  return std::make_unique<Descent>(course, form);
+std::unique_ptr<Method> descent_method(const ModelPair& pair, DescentForm form) {
+  return std::make_unique<Descent>(pair, form);
 }
 
 }  // namespace palpate::bench

@@ -39,12 +39,12 @@ DVec3 point_of(const fcl::Vector3d& point) {
 template <class Volume>
 class FclDistance : public Method {
  public:
-  FclDistance(const char* name, const Course& course)
+  FclDistance(const char* name, const ModelPair& pair)
       : name_(name),
-        a_(fcl_model<Volume>(course.a->mesh())),
-        b_(fcl_model<Volume>(course.b->mesh())),
-        centre_(course.b->centre()),
-        cutoff_(course.cutoff) {}
+        a_(fcl_model<Volume>(pair.a->mesh())),
+        b_(fcl_model<Volume>(pair.b->mesh())),
+        centre_(pair.b->centre()),
+        cutoff_(pair.cutoff) {}
 
   std::string name() const override { return name_; }
   std::string returns() const override { return "one minimum"; }
@@ -82,12 +82,12 @@ class FclDistance : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> fcl_obbrss_method(const Course& course) {
-  return std::make_unique<FclDistance<fcl::OBBRSSd>>("fcl_obbrss", course);
+std::unique_ptr<Method> fcl_obbrss_method(const ModelPair& pair) {
+  return std::make_unique<FclDistance<fcl::OBBRSSd>>("fcl_obbrss", pair);
 }
 
-std::unique_ptr<Method> fcl_rss_method(const Course& course) {
-  return std::make_unique<FclDistance<fcl::RSSd>>("fcl_rss", course);
+std::unique_ptr<Method> fcl_rss_method(const ModelPair& pair) {
+  return std::make_unique<FclDistance<fcl::RSSd>>("fcl_rss", pair);
 }
 
 HierarchyCost fcl_hierarchy_cost(const Mesh& mesh) {

@@ -6,8 +6,8 @@
 namespace palpate::bench {
 
 // FCL's distance between two triangle models, with nearest points, on one kind of bounding volume.
-std::unique_ptr<Method> fcl_obbrss_method(const Course& course);
-std::unique_ptr<Method> fcl_rss_method(const Course& course);
+std::unique_ptr<Method> fcl_obbrss_method(const ModelPair& pair);
+std::unique_ptr<Method> fcl_rss_method(const ModelPair& pair);
 
 // What FCL's hierarchy of a model costs.
 struct HierarchyCost {

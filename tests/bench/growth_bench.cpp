@@ -17,32 +17,34 @@ struct Sized {
   std::vector<std::string> parameters;  // of each method
 };
 
-void add_size(const Course& motion, double triangles, bool peers, Sized& sized) {
+void add_size(const ModelPair& middle, double triangles, bool peers, Sized& sized) {
   const auto shape = make_model(sized_shape(triangles));
-  const Course course{shape, motion.b, motion.cutoff, {}};
+  const ModelPair pair{shape, middle.b, middle.cutoff};
   const std::string parameters = "triangles=" + std::to_string(shape->mesh().triangles.size());
   const auto add = [&](std::unique_ptr<Method> method) {
     sized.methods.push_back(std::move(method));
     sized.parameters.push_back(parameters);
   };
   shape->tree();
-  add(search_method(course));
-  add(front_method(course));
-  add(descent_method(course, DescentForm::kPolar));
-  if (peers) add(fcl_rss_method(course));
+  add(search_method(pair));
+  add(front_method(pair));
+  add(descent_method(pair, DescentForm::kPolar));
+  if (peers) add(fcl_rss_method(pair));
 }
 
 }  // namespace
 
 void bench_growth(const Effort& effort, Table& table) {
-  const auto tool = asset_model("organic_2200", kToolScale);
-  const Course motion = course_of(asset_model("organic_97k"), tool, kCutoff, effort.poses());
+  const auto middle = asset_model("organic_97k");
+  const ModelPair pair{middle, asset_model("organic_2200", kToolScale),
+                       kCutoff * middle->bounds().diagonal()};
+  const std::vector<Pose> motion = motion_of(pair, effort.poses());
   Sized sized;
   for (double size : sizes_from(10e3, effort)) {
     table.say("growth: preparing " + std::to_string(static_cast<long>(size)) + " triangles");
-    add_size(motion, size, size <= 1e6, sized);
+    add_size(pair, size, size <= 1e6, sized);
   }
-  const std::vector<Run> runs = run_by_turns(sized.methods, motion.poses);
+  const std::vector<Run> runs = run_by_turns(sized.methods, motion);
   for (std::size_t m = 0; m < runs.size(); ++m) {
     const Method& method = *sized.methods[m];
     const auto add = [&](const char* quantity, const char* unit, const Series& values) {

@@ -33,6 +33,9 @@ class Method {
   // A method without memory that is slow needs to see only every so-manyth pose.
   virtual std::size_t every() const { return 1; }
 
+  // Another motion begins.
+  virtual void restart() {}
+
   // What comes before an update and is not measured.
   virtual void prepare(const Pose& a_from_b) { static_cast<void>(a_from_b); }
   virtual void update(const Pose& a_from_b) = 0;

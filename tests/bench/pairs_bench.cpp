@@ -32,19 +32,19 @@ struct Field {
   }
 };
 
-void add_scenes(const Course& course, Law law, Field& field) {
+void add_scenes(const ModelPair& pair, Law law, Field& field) {
   const std::size_t exact = field.methods.size();
-  field.add(scene_method(course, {"scene_global", kComplete, PLP_MODE_GLOBAL, law}), exact);
-  field.add(scene_method(course, {"scene_certified", kComplete, PLP_MODE_CERTIFIED, law}), exact);
+  field.add(scene_method(pair, {"scene_global", kComplete, PLP_MODE_GLOBAL, law}), exact);
+  field.add(scene_method(pair, {"scene_certified", kComplete, PLP_MODE_CERTIFIED, law}), exact);
   for (unsigned period : kGlobalPeriods)
-    field.add(scene_method(course, {"scene_descent_" + std::to_string(period),
-                                    "LMDs followed from the last search", PLP_MODE_DESCENT, law, period}),
+    field.add(scene_method(pair, {"scene_descent_" + std::to_string(period),
+                                  "LMDs followed from the last search", PLP_MODE_DESCENT, law, period}),
               exact);
 }
 
-void add_decimated(const Course& course, Field& field) {
+void add_decimated(const ModelPair& pair, Field& field) {
   for (std::size_t divisor : kDivisors) {
-    const Course coarse{decimated(*course.a, divisor), decimated(*course.b, divisor), course.cutoff, {}};
+    const ModelPair coarse{decimated(*pair.a, divisor), decimated(*pair.b, divisor), pair.cutoff};
     field.add(scene_method(coarse, {"decimated_" + std::to_string(divisor),
                                     "complete set of decimated models", PLP_MODE_CERTIFIED}),
               0);
@@ -52,20 +52,20 @@ void add_decimated(const Course& course, Field& field) {
 }
 
 // The scene that searches from scratch comes first: under springs it is exact.
-Field field_of(const Course& course, bool all) {
+Field field_of(const ModelPair& pair, bool all) {
   Field field;
-  for (Law law : laws()) add_scenes(course, law, field);
-  field.add(search_method(course), 0);
-  field.add(front_method(course), 0);
-  field.add(descent_method(course, DescentForm::kPolar), 0);
-  field.add(descent_method(course, DescentForm::kNeighbourhood), 0);
-  field.add(fcl_obbrss_method(course), 0);
-  field.add(fcl_rss_method(course), 0);
-  if (auto coal = coal_method(course)) field.add(std::move(coal), 0);
+  for (Law law : laws()) add_scenes(pair, law, field);
+  field.add(search_method(pair), 0);
+  field.add(front_method(pair), 0);
+  field.add(descent_method(pair, DescentForm::kPolar), 0);
+  field.add(descent_method(pair, DescentForm::kNeighbourhood), 0);
+  field.add(fcl_obbrss_method(pair), 0);
+  field.add(fcl_rss_method(pair), 0);
+  if (auto coal = coal_method(pair)) field.add(std::move(coal), 0);
   if (!all) return field;
-  add_decimated(course, field);
-  field.add(point_shell_method(course), 0);
-  field.add(bullet_method(course), 0);
+  add_decimated(pair, field);
+  field.add(point_shell_method(pair), 0);
+  field.add(bullet_method(pair), 0);
   return field;
 }
 
@@ -107,7 +107,7 @@ Series distance_errors(const Run& run, const Run& exact, double cutoff) {
 
 struct Reported {
   const PairScene& scene;
-  const Course& course;
+  const ModelPair& pair;
   std::string parameters;
 
   Measure measure(const Method& method, const char* quantity, const char* unit) const {
@@ -116,7 +116,7 @@ struct Reported {
 };
 
 void report(const Reported& what, const Field& field, const std::vector<Run>& runs, Table& table) {
-  const double force_scale = kStiffness * what.course.cutoff, arm = what.course.b->radius();
+  const double force_scale = kStiffness * what.pair.cutoff, arm = what.pair.b->radius();
   for (std::size_t m = 0; m < runs.size(); ++m) {
     const Method& method = *field.methods[m];
     const auto add = [&](const char* quantity, const char* unit, const Series& values) {
@@ -132,7 +132,7 @@ void report(const Reported& what, const Field& field, const std::vector<Run>& ru
     add("force_error", "k*cutoff", errors.force);
     add("torque_error", "k*cutoff*radius", errors.torque);
     if (method.returns() == kOneMinimum) {
-      add("distance_error", "cutoff", distance_errors(runs[m], exact, what.course.cutoff));
+      add("distance_error", "cutoff", distance_errors(runs[m], exact, what.pair.cutoff));
     } else {
       add("lmds_missed", "sets", errors.missed);
       add("lmds_spurious", "sets", errors.spurious);
@@ -149,26 +149,38 @@ void report_best_fcl(const Reported& what, const Field& field, const std::vector
             best_of(runs[at("fcl_obbrss")], runs[at("fcl_rss")]));
 }
 
-std::string parameters_of(double cutoff) {
+std::string parameters_of(double cutoff, int motions) {
   char text[64];
-  std::snprintf(text, sizeof text, "cutoff=%g speed=%g seed=%d", cutoff, kSpeed, static_cast<int>(kSeed));
+  std::snprintf(text, sizeof text, "cutoff=%g speed=%g seeds=%d..%d", cutoff, kSpeed, static_cast<int>(kSeed),
+                static_cast<int>(kSeed) + motions - 1);
   return text;
+}
+
+// All methods over several motions, one after the other.
+std::vector<Run> run_motions(const Field& field, const ModelPair& pair, int motions, int poses) {
+  std::vector<Run> all(field.methods.size());
+  for (int i = 0; i < motions; ++i) {
+    const std::vector<Pose> motion = motion_of(pair, poses, kSeed + static_cast<std::uint64_t>(i));
+    const std::vector<Run> runs = run_by_turns(field.methods, motion);
+    for (std::size_t m = 0; m < all.size(); ++m) all[m].insert(all[m].end(), runs[m].begin(), runs[m].end());
+  }
+  return all;
 }
 
 }  // namespace
 
 void bench_pairs(const Effort& effort, Table& table) {
   for (const PairScene& scene : pair_scenes(effort)) {
-    const auto [a, b] = load(scene);
     for (double cutoff : kCutoffs) {
       const bool all = cutoff == kMainCutoff;
       if (effort.quick && !all) continue;
-      const std::string parameters = parameters_of(cutoff);
+      const std::string parameters = parameters_of(cutoff, effort.motions());
       table.say(std::string("pairs: ") + scene.name + " " + parameters);
-      const Course course = course_of(a, b, cutoff, all ? effort.poses() : effort.poses() / 4);
-      const Field field = field_of(course, all);
-      const std::vector<Run> runs = run_by_turns(field.methods, course.poses);
-      const Reported what{scene, course, parameters};
+      const ModelPair pair = load(scene, cutoff);
+      const Field field = field_of(pair, all);
+      const int poses = all ? effort.poses() : effort.poses() / 4;
+      const std::vector<Run> runs = run_motions(field, pair, effort.motions(), poses);
+      const Reported what{scene, pair, parameters};
       report(what, field, runs, table);
       report_best_fcl(what, field, runs, table);
     }

@@ -10,8 +10,8 @@ namespace {
 
 class PointShell : public Method {
  public:
-  explicit PointShell(const Course& course)
-      : b_(course.b), a_(course.a->mesh()), cutoff_(course.cutoff), found_(b_->mesh().positions.size()) {
+  explicit PointShell(const ModelPair& pair)
+      : b_(pair.b), a_(pair.a->mesh()), cutoff_(pair.cutoff), found_(b_->mesh().positions.size()) {
     for (const Vec3& position : b_->mesh().positions)
       shell_.push_back(b_->mesh().frame.metres(DVec3(position)));
   }
@@ -56,8 +56,8 @@ class PointShell : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> point_shell_method(const Course& course) {
-  return std::make_unique<PointShell>(course);
+std::unique_ptr<Method> point_shell_method(const ModelPair& pair) {
+  return std::make_unique<PointShell>(pair);
 }
 
 HierarchyCost embree_hierarchy_cost(const Mesh& mesh) {

@@ -1,5 +1,7 @@
 #include "tests/bench/scene_methods.h"
 
+#include <optional>
+
 namespace palpate::bench {
 namespace {
 
@@ -9,23 +11,27 @@ DVec3 vector_of(const double (&values)[3]) {
 
 class SceneMethod : public Method {
  public:
-  SceneMethod(const Course& course, const SceneMode& mode)
+  SceneMethod(const ModelPair& pair, const SceneMode& mode)
       : mode_(mode),
-        a_(public_model(*course.a)),
-        b_(public_model(*course.b)),
-        scene_(course.cutoff, mode.mode, mode.law, mode.global_every) {
-    scene_.add_static(a_.get(), Pose{});
-    scene_.add_tool(b_.get(), course.b->centre());
+        cutoff_(pair.cutoff),
+        centre_(pair.b->centre()),
+        a_(public_model(*pair.a)),
+        b_(public_model(*pair.b)) {}
+
+  void restart() override {
+    scene_.emplace(cutoff_, mode_.mode, mode_.law, mode_.global_every);
+    scene_->add_static(a_.get(), Pose{});
+    scene_->add_tool(b_.get(), centre_);
   }
 
   std::string name() const override {
     return mode_.law == Law::kSmooth ? mode_.name + "_smooth" : mode_.name;
   }
   std::string returns() const override { return mode_.returns; }
-  void update(const Pose& a_from_b) override { scene_.step(a_from_b); }
+  void update(const Pose& a_from_b) override { scene_->step(a_from_b); }
 
   Outcome outcome() const override {
-    const plp_contacts contacts = scene_.contacts();
+    const plp_contacts contacts = scene_->contacts();
     Outcome outcome;
     outcome.lmds = contacts.set_count;
     outcome.min_distance = contacts.min_distance;
@@ -37,14 +43,16 @@ class SceneMethod : public Method {
 
  private:
   SceneMode mode_;
+  double cutoff_;
+  DVec3 centre_;
   cli::OwnedModel a_, b_;
-  TouchScene scene_;
+  std::optional<TouchScene> scene_;
 };
 
 }  // namespace
 
-std::unique_ptr<Method> scene_method(const Course& course, const SceneMode& mode) {
-  return std::make_unique<SceneMethod>(course, mode);
+std::unique_ptr<Method> scene_method(const ModelPair& pair, const SceneMode& mode) {
+  return std::make_unique<SceneMethod>(pair, mode);
 }
 
 }  // namespace palpate::bench

@@ -15,8 +15,8 @@ struct SceneMode {
   unsigned global_every = 10;
 };
 
-// A scene of a course's two models. The method has the name of its mode and, unless it is springs, of its
+// A scene of a pair's two models. The method has the name of its mode and, unless it is springs, of its
 // law.
-std::unique_ptr<Method> scene_method(const Course& course, const SceneMode& mode);
+std::unique_ptr<Method> scene_method(const ModelPair& pair, const SceneMode& mode);
 
 }  // namespace palpate::bench

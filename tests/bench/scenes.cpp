@@ -28,16 +28,15 @@ std::vector<PairScene> pair_scenes(const Effort& effort) {
   return scenes;
 }
 
-std::pair<std::shared_ptr<const Model>, std::shared_ptr<const Model>> load(const PairScene& scene) {
-  return scene.from_data ? std::pair(data_model(scene.a), data_model(scene.b, scene.b_scale))
-                         : std::pair(asset_model(scene.a), asset_model(scene.b, scene.b_scale));
+ModelPair load(const PairScene& scene, double cutoff) {
+  const auto a = scene.from_data ? data_model(scene.a) : asset_model(scene.a);
+  const auto b = scene.from_data ? data_model(scene.b, scene.b_scale) : asset_model(scene.b, scene.b_scale);
+  return {a, b, cutoff * a->bounds().diagonal()};
 }
 
-Course course_of(std::shared_ptr<const Model> a, std::shared_ptr<const Model> b, double cutoff, int poses) {
-  Random random(kSeed);
-  const double diagonal = a->bounds().diagonal();
-  std::vector<Pose> motion = sliding_motion(*a, *b, cutoff * diagonal, kSpeed * diagonal, poses, random);
-  return {std::move(a), std::move(b), cutoff * diagonal, std::move(motion)};
+std::vector<Pose> motion_of(const ModelPair& pair, int poses, std::uint64_t seed) {
+  Random random(seed);
+  return sliding_motion(*pair.a, *pair.b, pair.cutoff, kSpeed * pair.a->bounds().diagonal(), poses, random);
 }
 
 }  // namespace palpate::bench

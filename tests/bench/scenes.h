@@ -23,21 +23,21 @@ struct PairScene {
 // The scenes that can be loaded here, a few of them with little effort.
 std::vector<PairScene> pair_scenes(const Effort& effort);
 
-// Two models, and poses of the second in the frame of the first, a millisecond apart: 0.1 m/s on a model
-// 0.3 m across, without overlap.
-struct Course {
+// Two models that touch.
+struct ModelPair {
   std::shared_ptr<const Model> a;
   std::shared_ptr<const Model> b;
   double cutoff;  // metres
-  std::vector<Pose> poses;
 };
 
 inline constexpr double kSpeed = 0.33;  // diagonals of the first model a second
 inline constexpr std::uint64_t kSeed = 77;
 
-std::pair<std::shared_ptr<const Model>, std::shared_ptr<const Model>> load(const PairScene& scene);
-
 // `cutoff` is a share of the first model's diagonal.
-Course course_of(std::shared_ptr<const Model> a, std::shared_ptr<const Model> b, double cutoff, int poses);
+ModelPair load(const PairScene& scene, double cutoff);
+
+// Poses of the second model in the frame of the first, a millisecond apart: 0.1 m/s on a model 0.3 m across,
+// without overlap. The seed chooses where the motion begins and where it goes.
+std::vector<Pose> motion_of(const ModelPair& pair, int poses, std::uint64_t seed = kSeed);
 
 }  // namespace palpate::bench

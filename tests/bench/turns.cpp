@@ -46,6 +46,7 @@ Series series_of(const Run& run, Value&& value) {
 
 std::vector<Run> run_by_turns(const Methods& methods, std::span<const Pose> poses) {
   std::vector<Run> runs(methods.size(), Run(poses.size()));
+  for (const auto& method : methods) method->restart();
   for (std::size_t begin = 0; begin < poses.size(); begin += kTurn) {
     const std::size_t end = std::min(poses.size(), begin + kTurn);
     for (std::size_t m = 0; m < methods.size(); ++m)

@@ -28,8 +28,8 @@ Series per_lmd_us(const Run& run);  // of a descent, for each LMD that it follow
 Series lmds(const Run& run);
 Series interruptions(const Run& run);
 
-// Takes the methods by turns, a few poses each, so that a change of the machine's pace meets all alike, while
-// each still works with warm caches most of the time, as a servo thread on its own core does.
+// One motion. Takes the methods by turns, a few poses each, so that a change of the machine's pace meets all
+// alike, while each still works with warm caches most of the time, as a servo thread on its own core does.
 std::vector<Run> run_by_turns(const Methods& methods, std::span<const Pose> poses);
 
 }  // namespace palpate::bench
