@@ -28,6 +28,7 @@ class EngineMethod : public Method {
     Outcome outcome = outcome_of(contacts, cutoff_, reference_);
     outcome.lmds = found_.set_count;
     outcome.overlap = found_.overlapping();
+    outcome.work = found_.work;
     return outcome;
   }
 

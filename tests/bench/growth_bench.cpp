@@ -54,6 +54,10 @@ void bench_growth(const Effort& effort, Table& table) {
     add("time", "us", time_us(runs[m]));
     add("time_per_lmd", "us", per_lmd_us(runs[m]));
     add("lmds", "sets", lmds(runs[m]));
+    if (!method.name().starts_with("fcl")) {
+      add("node_pairs", "pairs", node_pairs(runs[m]));
+      add("triangle_pairs", "pairs", triangle_pairs(runs[m]));
+    }
     add("interrupted", "ticks", interruptions(runs[m]));
   }
 }

@@ -7,6 +7,7 @@
 
 #include "engine/contact/spring.h"
 #include "engine/math/pose.h"
+#include "engine/snch/lmd.h"
 
 namespace palpate::bench {
 
@@ -19,6 +20,7 @@ struct Outcome {
   Wrench wrench;  // on the tool about the centre of its bounding sphere, frame of the other model
   bool overlap = false;
   std::size_t followed = 0;  // LMDs that a descent followed, whose time is also told for each
+  SearchWork work;           // of the engine's methods
   double aside_us = 0.0;     // of the time, what belongs to another thread than the servo's
 };
 

@@ -43,6 +43,10 @@ def growth(results):
         lmds = results.against("growth", "triangles", method, "lmds", "rms")
         show(f"{method}, {values[0][0]:,.0f} to {values[-1][0]:,.0f}", values[-1][1] / values[0][1], bar)
         print(f"    LMDs (RMS): {', '.join(f'{count:.2f}' for _, count in lmds)}")
+        for work in ("node_pairs", "triangle_pairs"):
+            counts = results.against("growth", "triangles", method, work, "p50")
+            if counts:
+                print(f"    {work}: {', '.join(f'{count:,.0f}' for _, count in counts)}")
 
 
 def build(results):

@@ -79,6 +79,18 @@ Series lmds(const Run& run) {
   });
 }
 
+Series node_pairs(const Run& run) {
+  return series_of(run, [](const Sample& sample, Series& series) {
+    series.add(static_cast<double>(sample.outcome.work.node_pairs));
+  });
+}
+
+Series triangle_pairs(const Run& run) {
+  return series_of(run, [](const Sample& sample, Series& series) {
+    series.add(static_cast<double>(sample.outcome.work.triangle_pairs));
+  });
+}
+
 Series interruptions(const Run& run) {
   return series_of(run, [](const Sample& sample, Series& series) { series.add(sample.interrupted); });
 }

@@ -26,6 +26,8 @@ Series time_us(const Run& run);
 Series servo_us(const Run& run);    // without what another thread would do
 Series per_lmd_us(const Run& run);  // of a descent, for each LMD that it followed
 Series lmds(const Run& run);
+Series node_pairs(const Run& run);      // of the engine's methods
+Series triangle_pairs(const Run& run);  // the same
 Series interruptions(const Run& run);
 
 // One motion. Takes the methods by turns, a few poses each, so that a change of the machine's pace meets all
