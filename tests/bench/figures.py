@@ -8,8 +8,8 @@ from svg import COLOURS, Chart, Drawing
 
 NO_ERROR = 1e-4  # of k · cutoff: the bottom of the chart stands for none
 
-# Of time against error: label, which of its points it stands at and whether right of it, colour, methods that a line joins, quantity
-# of their time.
+# Of time against error: label, which of its points it stands at and whether right of it, colour, methods that a line
+# joins, quantity of their time.
 FAMILIES = [
     ("certified", 0, False, "blue", ["scene_certified"], "time"),
     ("global", 0, True, "green", ["scene_global"], "time"),
@@ -53,9 +53,9 @@ def time_against_error(results, path):
                       "RMS error / (k · cutoff)")
         for family in FAMILIES:
             draw_family(results, chart, scene, family)
-    drawing.text(500, drawing.height - 10, "descent: beside it a search every 2 (labelled), 10, 50, 200 ticks · decimated "
-                 f"to 1/4, 1/16, 1/64 (labelled) · FCL, Bullet: one contact · the bottom line: at most {NO_ERROR:g}",
-                 "middle")
+    drawing.text(500, drawing.height - 10, "descent: beside it a search every 2 (labelled), 10, 50, 200 ticks · "
+                 "decimated to 1/4, 1/16, 1/64 (labelled) · FCL, Bullet: one contact · the bottom line: at most "
+                 f"{NO_ERROR:g}", "middle")
     drawing.write(path)
 
 
