@@ -1,4 +1,5 @@
-#include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "engine/base/clock.h"
 #include "tests/bench/benches.h"

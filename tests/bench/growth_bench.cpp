@@ -1,4 +1,4 @@
-#include <cmath>
+#include <string>
 
 #include "tests/bench/benches.h"
 #include "tests/bench/engine_methods.h"

@@ -1,7 +1,8 @@
 // Measures Palpate and its peers. Every result goes to one CSV.
 #include <cstdio>
-#include <cstring>
 #include <exception>
+#include <stdexcept>
+#include <string>
 
 #include "tests/bench/benches.h"
 

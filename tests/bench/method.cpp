@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace palpate::bench {
+namespace {
 
 Wrench wrench_of(const std::vector<SpringContact>& contacts, double cutoff, const DVec3& reference) {
   Wrench sum;
@@ -10,6 +11,8 @@ Wrench wrench_of(const std::vector<SpringContact>& contacts, double cutoff, cons
     sum += wrench_about(reference, contact.point, spring_force(contact, {kStiffness, cutoff}));
   return sum;
 }
+
+}  // namespace
 
 Outcome outcome_of(const std::vector<SpringContact>& contacts, double cutoff, const DVec3& reference) {
   Outcome outcome;

@@ -46,10 +46,7 @@ class Method {
   virtual Outcome outcome() const = 0;
 };
 
-// The sum of springs at `contacts` about `reference`.
-Wrench wrench_of(const std::vector<SpringContact>& contacts, double cutoff, const DVec3& reference);
-
-// The outcome of a method that finds single contacts.
+// The outcome of a method that finds single contacts: springs push there, torques are about `reference`.
 Outcome outcome_of(const std::vector<SpringContact>& contacts, double cutoff, const DVec3& reference);
 
 }  // namespace palpate::bench

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tests/bench/benches.h"
@@ -34,20 +35,23 @@ struct Field {
 
 void add_scenes(const ModelPair& pair, Law law, Field& field) {
   const std::size_t exact = field.methods.size();
-  field.add(scene_method(pair, {"scene_global", kComplete, PLP_MODE_GLOBAL, law}), exact);
-  field.add(scene_method(pair, {"scene_certified", kComplete, PLP_MODE_CERTIFIED, law}), exact);
+  const DVec3 centre = pair.b->centre();
+  field.add(scene_method(pair, {"scene_global", kComplete, PLP_MODE_GLOBAL, centre, law}), exact);
+  field.add(scene_method(pair, {"scene_certified", kComplete, PLP_MODE_CERTIFIED, centre, law}), exact);
   for (unsigned period : kGlobalPeriods)
-    field.add(scene_method(pair, {"scene_descent_" + std::to_string(period),
-                                  "LMDs followed from the last search", PLP_MODE_DESCENT, law, period}),
-              exact);
+    field.add(
+        scene_method(pair, {"scene_descent_" + std::to_string(period), "LMDs followed from the last search",
+                            PLP_MODE_DESCENT, centre, law, period}),
+        exact);
 }
 
 void add_decimated(const ModelPair& pair, Field& field) {
   for (std::size_t divisor : kDivisors) {
     const ModelPair coarse{decimated(*pair.a, divisor), decimated(*pair.b, divisor), pair.cutoff};
-    field.add(scene_method(coarse, {"decimated_" + std::to_string(divisor),
-                                    "complete set of decimated models", PLP_MODE_CERTIFIED}),
-              0);
+    field.add(
+        scene_method(coarse, {"decimated_" + std::to_string(divisor), "complete set of decimated models",
+                              PLP_MODE_CERTIFIED, pair.b->centre()}),
+        0);
   }
 }
 

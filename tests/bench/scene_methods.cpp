@@ -12,16 +12,12 @@ DVec3 vector_of(const double (&values)[3]) {
 class SceneMethod : public Method {
  public:
   SceneMethod(const ModelPair& pair, const SceneMode& mode)
-      : mode_(mode),
-        cutoff_(pair.cutoff),
-        centre_(pair.b->centre()),
-        a_(public_model(*pair.a)),
-        b_(public_model(*pair.b)) {}
+      : mode_(mode), cutoff_(pair.cutoff), a_(public_model(*pair.a)), b_(public_model(*pair.b)) {}
 
   void restart() override {
     scene_.emplace(cutoff_, mode_.mode, mode_.law, mode_.global_every);
     scene_->add_static(a_.get(), Pose{});
-    scene_->add_tool(b_.get(), centre_);
+    scene_->add_tool(b_.get(), mode_.reference_point);
   }
 
   std::string name() const override {
@@ -44,7 +40,6 @@ class SceneMethod : public Method {
  private:
   SceneMode mode_;
   double cutoff_;
-  DVec3 centre_;
   cli::OwnedModel a_, b_;
   std::optional<TouchScene> scene_;
 };

@@ -11,6 +11,7 @@ struct SceneMode {
   std::string name;
   std::string returns;
   plp_mode mode;
+  DVec3 reference_point;  // of torques, frame of the second model
   Law law = Law::kSprings;
   unsigned global_every = 10;
 };

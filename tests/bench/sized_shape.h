@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <cmath>
 #include <vector>
 
 #include "assets/shapes/organic.h"
