@@ -60,16 +60,19 @@ def time_against_error(results, path):
 
 
 def growth(results, path):
-    drawing = Drawing(640, 440, "Time of a tick against the number of triangles")
+    scenes = results.scenes("growth")
+    drawing = Drawing(90 + 460 * len(scenes), 440, "Time of a tick against the number of triangles of one shape")
     most = max(results.against("growth", "triangles", GROWTH[0][0], "time", "p50"))[0]
-    chart = Chart(drawing, (70, 60, 520, 310), (9e3, 4 * most), (1, 1e4), "one shape, the same motion and tool",
-                  "triangles", "µs (line: median, dashes: p99)")
-    for method, colour in GROWTH:
-        median = results.against("growth", "triangles", method, "time", "p50")
-        chart.line(median, COLOURS[colour])
-        chart.dots(median, COLOURS[colour])
-        chart.line(results.against("growth", "triangles", method, "time", "p99"), COLOURS[colour], dash="4 3")
-        chart.label(median[-1], method, COLOURS[colour])
+    for i, scene in enumerate(scenes):
+        chart = Chart(drawing, (70 + 460 * i, 70, 380, 300), (9e3, 8 * most), (0.5, 1e4), scene, "triangles",
+                      "µs (line: median, dashes: p99)")
+        for method, colour in GROWTH:
+            median, p99 = (results.against("growth", "triangles", method, "time", column, scene=scene)
+                           for column in ("p50", "p99"))
+            chart.line(median, COLOURS[colour])
+            chart.dots(median, COLOURS[colour])
+            chart.line(p99, COLOURS[colour], dash="4 3")
+            chart.label(median[-1], method, COLOURS[colour])
     drawing.write(path)
 
 

@@ -7,7 +7,7 @@ from results import Results
 
 def show(what, value, bar=None, unit=""):
     verdict = "" if bar is None else f"bar {bar:8.4g}  {'met' if value <= bar else 'MISSED'}"
-    print(f"  {what:<52} {value:10.4g}{unit:<6} {verdict}")
+    print(f"  {what:<58} {value:10.4g}{unit:<6} {verdict}")
 
 
 def ratios_to_fcl(results):
@@ -36,17 +36,17 @@ def completeness(results):
 
 
 def growth(results):
-    print("Growth of the median tick from the fewest triangles to the most")
-    for method, bar in (("kinetic_front", 4.0), ("descent_polar", 1.3), ("search", None),
-                        ("fcl_rss", None)):
-        values = results.against("growth", "triangles", method, "time", "p50")
-        lmds = results.against("growth", "triangles", method, "lmds", "rms")
-        show(f"{method}, {values[0][0]:,.0f} to {values[-1][0]:,.0f}", values[-1][1] / values[0][1], bar)
-        print(f"    LMDs (RMS): {', '.join(f'{count:.2f}' for _, count in lmds)}")
-        for work in ("node_pairs", "triangle_pairs"):
-            counts = results.against("growth", "triangles", method, work, "p50")
-            if counts:
-                print(f"    {work}: {', '.join(f'{count:,.0f}' for _, count in counts)}")
+    print("Growth of the median tick from the fewest triangles to the most; the work at each")
+    for scene in results.scenes("growth"):
+        for method, bar in (("kinetic_front", 4.0), ("descent_polar", 1.3), ("search", None), ("fcl_rss", None)):
+            def against(quantity, column, scene=scene, method=method):
+                return results.against("growth", "triangles", method, quantity, column, scene=scene)
+            values = against("time", "p50")
+            show(f"{scene}: {method}, {values[0][0]:,.0f} to {values[-1][0]:,.0f}", values[-1][1] / values[0][1], bar)
+            for quantity, column in (("lmds", "rms"), ("node_pairs", "p50"), ("triangle_pairs", "p50")):
+                counts = against(quantity, column)
+                if counts:
+                    print(f"    {quantity} ({column}): {', '.join(f'{count:,.4g}' for _, count in counts)}")
 
 
 def build(results):

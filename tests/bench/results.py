@@ -15,9 +15,9 @@ class Results:
         """Rows whose columns have the wanted values."""
         return [row for row in self.rows if all(row[key] == value for key, value in wanted.items())]
 
-    def scenes(self):
-        """The pairs of models, in the order they were measured in."""
-        return list(dict.fromkeys(row["scene"] for row in self.rows if row["bench"] == "pairs"))
+    def scenes(self, bench="pairs"):
+        """In the order they were measured in."""
+        return list(dict.fromkeys(row["scene"] for row in self.rows if row["bench"] == bench))
 
     def pair(self, scene, method, quantity, column, cutoff=MAIN_CUTOFF):
         """One number of a pair of models; None if it was not measured."""
@@ -26,9 +26,9 @@ class Results:
                 return float(row[column])
         return None
 
-    def against(self, bench, key, method, quantity, column):
+    def against(self, bench, key, method, quantity, column, **wanted):
         """(parameter, value) in ascending order."""
-        rows = self.find(bench=bench, method=method, quantity=quantity)
+        rows = self.find(bench=bench, method=method, quantity=quantity, **wanted)
         return sorted((float(parameter(row, key)), float(row[column])) for row in rows)
 
     def origin(self):
