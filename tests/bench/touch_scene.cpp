@@ -34,6 +34,7 @@ TouchScene::TouchScene(double cutoff, plp_mode mode, Law law, unsigned global_ev
   options.stiffness = kStiffness;
   options.mode = mode;
   options.global_every = global_every;
+  options.fade_time = 0.0;  // a spring that fades after its LMD has gone would count as an error
   choose(law, options);
   cli::check(plp_scene_create(&options, scene_.receive()));
 }
