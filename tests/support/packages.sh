@@ -1,4 +1,5 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh and samples/run.sh source this file.
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source
+# this file.
 
 palpate_build_packages=(
   g++ cmake ninja-build
@@ -10,6 +11,7 @@ palpate_test_packages=(
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
 )
+palpate_bench_packages=(libfcl-dev libbullet-dev)
 
 missing_packages() {
   local package
