@@ -188,6 +188,7 @@ TEST(ServoPathBorders, NeitherAllocateNorLockNorBlock) {
                                    SearchMode::kCertified};
   for (int i = 0; i < 40; ++i) {
     scene.set_mode(kModes[i % 4]);
+    scene.set_law(i % 3 == 0 ? ForceLaw::kSprings : ForceLaw::kSmooth);
     scene.set_cutoff(i % 8 == 3 ? 6.0 * cutoff : cutoff);
     if (i % 10 == 9) {
       ASSERT_TRUE(scene.remove(tool_id));

@@ -136,6 +136,7 @@ class Storm {
 
   void switch_settings(Dice& dice) {
     expect(plp_scene_set_mode(scene_.handle, static_cast<std::int32_t>(dice.below(3))));
+    expect(plp_scene_set_law(scene_.handle, static_cast<std::int32_t>(dice.below(2))));
     expect(plp_scene_set_cutoff(scene_.handle, dice.uniform(0.5 * kCutoff, kLargestCutoff)));
     expect(plp_scene_set_stiffness(scene_.handle, dice.uniform(0.0, 1000.0)));
     std::this_thread::sleep_for(std::chrono::milliseconds(7));
