@@ -91,6 +91,50 @@ TEST_P(PolarDescentOnly, StandsStillWhereNothingMoves) {
   }
 }
 
+// The same seeds with their features forgotten, so that each has to be descended from.
+LmdSet forgetful(const Model& a, const Model& b, LmdSet seeds) {
+  for (Lmd& lmd : seeds.lmds) {
+    lmd.feature_a = {FeatureKind::kFace, triangles_at(a.mesh(), lmd.feature_a).front()};
+    lmd.feature_b = {FeatureKind::kFace, triangles_at(b.mesh(), lmd.feature_b).front()};
+  }
+  return seeds;
+}
+
+// A minimum that stays on its features is what a descent from there ends in, bit by bit, at a lower cost.
+TEST_P(PolarDescentOnly, StandsWhereADescentWouldEnd) {
+  const auto a = asset_model(GetParam().a), b = asset_model(GetParam().b, GetParam().b_scale);
+  Random random(kSeed + 3);
+  SearchOptions options;
+  options.cutoff = 0.01;
+  const std::vector<Pose> motion = sliding_motion(*a, *b, options.cutoff, 0.3, 100, random);
+  LmdSearch search;
+  LmdSet seeds, standing, descended;
+  std::uint64_t standing_work = 0, descended_work = 0;
+  for (std::size_t tick = 1; tick < motion.size(); ++tick) {
+    search.run(*a, *b, motion[tick - 1], options, seeds);
+    LmdTracker one, other;
+    one.adopt(a->mesh(), b->mesh(), seeds);
+    other.adopt(a->mesh(), b->mesh(), forgetful(*a, *b, seeds));
+    one.follow(a->mesh(), b->mesh(), motion[tick], options, options.cutoff, standing);
+    other.follow(a->mesh(), b->mesh(), motion[tick], options, options.cutoff, descended);
+    standing_work += one.work().triangle_pairs;
+    descended_work += other.work().triangle_pairs;
+    ASSERT_EQ(standing.set_count, descended.set_count) << "tick " << tick;
+    ASSERT_EQ(standing.lmds.size(), descended.lmds.size()) << "tick " << tick;
+    for (std::size_t k = 0; k < standing.lmds.size(); ++k) {
+      EXPECT_EQ(standing.lmds[k].feature_a, descended.lmds[k].feature_a) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].feature_b, descended.lmds[k].feature_b) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].point_a, descended.lmds[k].point_a) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].point_b, descended.lmds[k].point_b) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].distance, descended.lmds[k].distance) << "tick " << tick;
+    }
+  }
+  std::printf("%s - %s: %llu pairs where minima stand, %llu where they are descended to\n", GetParam().a,
+              GetParam().b, static_cast<unsigned long long>(standing_work),
+              static_cast<unsigned long long>(descended_work));
+  EXPECT_LT(standing_work, descended_work);
+}
+
 // Along a motion, with a search every 10 ms: what is lost against the complete set, and what it costs.
 TEST_P(Descent, FollowsAMotion) {
   const auto a = asset_model(models.a), b = asset_model(models.b, models.b_scale);
