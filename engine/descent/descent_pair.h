@@ -12,7 +12,7 @@ namespace palpate {
 struct DescentWork {
   std::uint64_t descents = 0;
   std::uint64_t steps = 0;           // moves to another pair of triangles
-  std::uint64_t triangle_pairs = 0;  // measured
+  std::uint64_t triangle_pairs = 0;  // measured, or shown not to be closer
 };
 
 // Where a descent stands: a pair of triangles and their closest points. A's normalised frame.

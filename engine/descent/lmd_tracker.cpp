@@ -50,6 +50,12 @@ struct LmdTracker::Tick {
   TestedTriangle tested_b(std::uint32_t t, unsigned corners, unsigned sides) const {
     return {t, triangle_of(pair.b(), t, pair.placement()), corners, sides};
   }
+  TestedTriangle tested_a(std::uint32_t t, TrianglePlace at) const {
+    return tested_a(t, corner_bit(at), side_bit(at));
+  }
+  TestedTriangle tested_b(std::uint32_t t, TrianglePlace at) const {
+    return tested_b(t, corner_bit(at), side_bit(at));
+  }
 };
 
 void LmdTracker::fix(const Room& room) {
@@ -86,7 +92,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   work_ = {};
   minima_.clear();
   explored_.clear();
-  for (const TrianglePair seed : seeds_) follow_seed(tick, seed, found);
+  for (const Seed& seed : seeds_) follow_seed(tick, seed, found);
 
   std::sort(minima_.begin(), minima_.end(), precedes);
   const auto same = [](const Minimum& one, const Minimum& other) {
@@ -108,20 +114,43 @@ void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
       overflowed_ = true;
       return;
     }
-    seeds_.push_back({triangles_at(a, lmd.feature_a).front(), triangles_at(b, lmd.feature_b).front()});
+    seeds_.emplace_back(a, b, lmd);
   }
 }
 
-void LmdTracker::follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found) {
+void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) {
   ++work_.descents;
-  DescentPoint point = tick.pair.measure(seed, work_);
+  FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
+  if (!has_room_for_test()) {
+    found.cut = true;
+    return;
+  }
+  if (form_ == DescentForm::kPolar && stands(tick, seed, test)) return;
+  DescentPoint point = tick.pair.measure(seed.triangles, work_);
   if (!descend(tick.pair, point)) return;
   const Triangle in_a = triangle_of(tick.pair.a(), point.triangles.a);
   const Triangle in_b = triangle_of(tick.pair.b(), point.triangles.b, tick.pair.placement());
   if (triangles_touch(in_a, in_b, point.closest, tick.limits.touch))
     return found.add_overlap(point.triangles, tick.max_overlaps);
-  FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
   decide(tick, point, test, found);
+}
+
+// Most minima stay on their features. Squared distance is convex on a pair of triangles, so a minimum that is
+// alone is the pair's one pair of closest points, no lean leads away from it, and the triangles do not cross:
+// a descent by polar cones would end where it began.
+bool LmdTracker::stands(const Tick& tick, const Seed& seed, FeaturePairTest& test) {
+  const std::size_t before = minima_.size();
+  ++work_.triangle_pairs;
+  test(tick.tested_a(seed.triangles.a, seed.at_a), tick.tested_b(seed.triangles.b, seed.at_b));
+  if (alone_since(before)) return true;
+  minima_.erase(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end());
+  return false;
+}
+
+bool LmdTracker::alone_since(std::size_t before) const {
+  return minima_.size() > before &&
+         std::all_of(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end(),
+                     [](const Minimum& minimum) { return minimum.alone; });
 }
 
 bool LmdTracker::descend(const DescentPair& pair, DescentPoint& point) {
@@ -136,15 +165,10 @@ void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePair
     found.cut = true;
     return;
   }
-  const TrianglePlace at_a = point.closest.first_place, at_b = point.closest.second_place;
   const auto [a, b] = point.triangles;
   const std::size_t before = minima_.size();
-  test(tick.tested_a(a, corner_bit(at_a), side_bit(at_a)),
-       tick.tested_b(b, corner_bit(at_b), side_bit(at_b)));
-  const bool alone = minima_.size() > before &&
-                     std::all_of(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end(),
-                                 [](const Minimum& minimum) { return minimum.alone; });
-  if (!alone) explore_plateau(tick, point.triangles, test, found);
+  test(tick.tested_a(a, point.closest.first_place), tick.tested_b(b, point.closest.second_place));
+  if (!alone_since(before)) explore_plateau(tick, point.triangles, test, found);
 }
 
 // Breadth first over the pairs of triangles that share a minimum of the plateau.

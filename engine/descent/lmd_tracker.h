@@ -5,6 +5,7 @@
 #include "engine/descent/descent_pair.h"
 #include "engine/descent/neighbourhood_descent.h"
 #include "engine/descent/polar_descent.h"
+#include "engine/descent/seed.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/lmd_search.h"
 #include "engine/snch/plateau.h"
@@ -42,7 +43,9 @@ class LmdTracker {
  private:
   struct Tick;
   bool has_room_for_test() const;
-  void follow_seed(const Tick& tick, TrianglePair seed, LmdSet& found);
+  void follow_seed(const Tick& tick, const Seed& seed, LmdSet& found);
+  bool stands(const Tick& tick, const Seed& seed, FeaturePairTest& test);
+  bool alone_since(std::size_t before) const;
   bool descend(const DescentPair& pair, DescentPoint& point);
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
   void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found);
@@ -54,7 +57,7 @@ class LmdTracker {
   PolarDescent polar_;
   NeighbourhoodDescent neighbourhood_;
   PlateauGrouper grouper_;
-  std::vector<TrianglePair> seeds_;
+  std::vector<Seed> seeds_;
   std::vector<TrianglePair> explored_;  // pairs of triangles of plateaus met in this tick
   std::vector<Minimum> minima_;
   DescentWork work_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 #include "engine/math/triangle.h"
@@ -14,6 +15,8 @@ struct TrianglePlace {
   bool is_corner() const { return code < 3; }
   bool is_side() const { return code >= 3 && code < kFace; }
   int side() const { return code - 3; }
+
+  friend auto operator<=>(const TrianglePlace&, const TrianglePlace&) = default;
 };
 
 // The closest points of two triangles, and on which place of each they lie.

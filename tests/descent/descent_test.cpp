@@ -91,6 +91,100 @@ TEST_P(PolarDescentOnly, StandsStillWhereNothingMoves) {
   }
 }
 
+// The same seeds with their features forgotten, so that each has to be descended from.
+LmdSet forgetful(const Model& a, const Model& b, LmdSet seeds) {
+  for (Lmd& lmd : seeds.lmds) {
+    lmd.feature_a = {FeatureKind::kFace, triangles_at(a.mesh(), lmd.feature_a).front()};
+    lmd.feature_b = {FeatureKind::kFace, triangles_at(b.mesh(), lmd.feature_b).front()};
+  }
+  return seeds;
+}
+
+// A minimum that stays on its features is what a descent from there ends in, bit by bit, at a lower cost.
+TEST_P(PolarDescentOnly, StandsWhereADescentWouldEnd) {
+  const auto a = asset_model(GetParam().a), b = asset_model(GetParam().b, GetParam().b_scale);
+  Random random(kSeed + 3);
+  SearchOptions options;
+  options.cutoff = 0.01;
+  const std::vector<Pose> motion = sliding_motion(*a, *b, options.cutoff, 0.3, 100, random);
+  LmdSearch search;
+  LmdSet seeds, standing, descended;
+  std::uint64_t standing_work = 0, descended_work = 0;
+  for (std::size_t tick = 1; tick < motion.size(); ++tick) {
+    search.run(*a, *b, motion[tick - 1], options, seeds);
+    LmdTracker one, other;
+    one.adopt(a->mesh(), b->mesh(), seeds);
+    other.adopt(a->mesh(), b->mesh(), forgetful(*a, *b, seeds));
+    one.follow(a->mesh(), b->mesh(), motion[tick], options, options.cutoff, standing);
+    other.follow(a->mesh(), b->mesh(), motion[tick], options, options.cutoff, descended);
+    standing_work += one.work().triangle_pairs;
+    descended_work += other.work().triangle_pairs;
+    ASSERT_EQ(standing.set_count, descended.set_count) << "tick " << tick;
+    ASSERT_EQ(standing.lmds.size(), descended.lmds.size()) << "tick " << tick;
+    for (std::size_t k = 0; k < standing.lmds.size(); ++k) {
+      EXPECT_EQ(standing.lmds[k].feature_a, descended.lmds[k].feature_a) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].feature_b, descended.lmds[k].feature_b) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].point_a, descended.lmds[k].point_a) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].point_b, descended.lmds[k].point_b) << "tick " << tick;
+      EXPECT_EQ(standing.lmds[k].distance, descended.lmds[k].distance) << "tick " << tick;
+    }
+  }
+  std::printf("%s - %s: %llu pairs where minima stand, %llu where they are descended to\n", GetParam().a,
+              GetParam().b, static_cast<unsigned long long>(standing_work),
+              static_cast<unsigned long long>(descended_work));
+  EXPECT_LT(standing_work, descended_work);
+}
+
+std::vector<std::uint32_t> around(const Mesh& mesh, Feature feature) {
+  std::vector<std::uint32_t> triangles;
+  const auto append = [&](const Feature& part) {
+    for (std::uint32_t t : triangles_at(mesh, part)) triangles.push_back(t);
+  };
+  if (feature.kind != FeatureKind::kFace)
+    append(feature);
+  else
+    for (std::uint32_t edge : mesh.triangle_edges[feature.index]) append({FeatureKind::kEdge, edge});
+  return triangles;
+}
+
+// The paper's words and nothing else: measure all pairs of the neighbourhoods, go to the closest.
+DescentPoint descended_by_the_book(const DescentPair& pair, DescentPoint point) {
+  DescentWork work;
+  for (int step = 0; step < kMaxDescentSteps; ++step) {
+    DescentPoint closest = point;
+    for (std::uint32_t a : around(pair.a(), pair.feature_a(point)))
+      for (std::uint32_t b : around(pair.b(), pair.feature_b(point))) {
+        const DescentPoint next = pair.measure({a, b}, work);
+        if (is_closer(next, closest)) closest = next;
+      }
+    if (closest.triangles == point.triangles) break;
+    point = closest;
+  }
+  return point;
+}
+
+// What it leaves out changes nothing.
+class NeighbourhoodDescentOnly : public testing::TestWithParam<Case> {};
+
+TEST_P(NeighbourhoodDescentOnly, EndsWhereThePapersDoes) {
+  const auto a = asset_model(GetParam().a), b = asset_model(GetParam().b, GetParam().b_scale);
+  Random random(kSeed + 4);
+  const Pose pose = place_near(*a, *b, 0.003, random);
+  const Placement placement(a->mesh().frame, b->mesh().frame, pose);
+  const DescentPair pair(a->mesh(), b->mesh(), placement);
+  NeighbourhoodDescent descent;
+  DescentWork work;
+  for (int i = 0; i < 500; ++i) {
+    const TrianglePair start{random.below(a->mesh().triangles.size()),
+                             random.below(b->mesh().triangles.size())};
+    DescentPoint point = pair.measure(start, work);
+    const DescentPoint expected = descended_by_the_book(pair, point);
+    descent.descend(pair, point, work);
+    EXPECT_NEAR(point.closest.squared_distance, expected.closest.squared_distance, 1e-14) << "start " << i;
+  }
+  EXPECT_GT(work.steps, 0u);
+}
+
 // Along a motion, with a search every 10 ms: what is lost against the complete set, and what it costs.
 TEST_P(Descent, FollowsAMotion) {
   const auto a = asset_model(models.a), b = asset_model(models.b, models.b_scale);
@@ -147,6 +241,7 @@ INSTANTIATE_TEST_SUITE_P(Assets, Descent,
                          testing::Combine(kCases,
                                           testing::Values(DescentForm::kPolar, DescentForm::kNeighbourhood)));
 INSTANTIATE_TEST_SUITE_P(Assets, PolarDescentOnly, kCases);
+INSTANTIATE_TEST_SUITE_P(Assets, NeighbourhoodDescentOnly, kCases);
 
 TEST(DescentPlateau, KeepsAllItsPointsWhileItSlides) {
   const auto a = make_model(shapes::box({1, 1, 1}, {6, 6, 6})),
