@@ -19,6 +19,8 @@ enum class ErrorCode {
   kNonFinite,
   kLimit,
   kUnsafePath,
+  kWrongState,
+  kDevice,
   kInternal,
 };
 
