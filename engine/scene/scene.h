@@ -28,6 +28,7 @@ class Scene {
   Result<BodyId> add(BodyOptions options);
   bool remove(BodyId id);  // false: no such body
   const Body* find(BodyId id) const { return bodies_.find(id); }
+  BodyId tool() const { return tool_; }        // 0: none
   bool set_pose(BodyId id, const Pose& pose);  // false: no such body
 
   // Searches the tool against every body within reach. If it throws, contacts() is what it was.
