@@ -5,6 +5,8 @@
 namespace palpate::capi {
 namespace {
 
+constexpr double kTimeStep = 1e-3;  // s that pass for a simulated device
+
 double cutoff_in(const Space& space, double cutoff, const char* name) {
   return checked_positive(space.length_in(checked(cutoff, name)), name);
 }
@@ -168,7 +170,7 @@ plp_result plp_scene_step(plp_scene scene) {
   return guarded([&] {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
-    object->scene.step();
+    object->loop.tick(kTimeStep);
     object->arrays.assign(object->scene.contacts(), object->space);
   });
 }
