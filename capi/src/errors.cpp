@@ -36,6 +36,8 @@ plp_result result_of(ErrorCode code) noexcept {
       return PLP_ERROR_UNSAFE_PATH;
     case ErrorCode::kWrongState:
       return PLP_ERROR_WRONG_STATE;
+    case ErrorCode::kDevice:
+      return PLP_ERROR_DEVICE;
     case ErrorCode::kInternal:
       break;
   }
@@ -87,6 +89,8 @@ const char* plp_result_string(plp_result result) {
       return "PLP_ERROR_UNSAFE_PATH";
     case PLP_ERROR_WRONG_STATE:
       return "PLP_ERROR_WRONG_STATE";
+    case PLP_ERROR_DEVICE:
+      return "PLP_ERROR_DEVICE";
     case PLP_ERROR_INTERNAL:
       return "PLP_ERROR_INTERNAL";
   }

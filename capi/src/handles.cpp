@@ -7,6 +7,7 @@ namespace {
 constexpr std::uint8_t kModelKind = 1;
 constexpr std::uint8_t kQueryKind = 2;
 constexpr std::uint8_t kSceneKind = 3;
+constexpr std::uint8_t kDeviceKind = 5;
 
 }  // namespace
 
@@ -22,6 +23,11 @@ HandleTable<QueryObject>& query_table() {
 
 HandleTable<SceneObject>& scene_table() {
   static auto* const table = new HandleTable<SceneObject>(kSceneKind);
+  return *table;
+}
+
+HandleTable<DeviceObject>& device_table() {
+  static auto* const table = new HandleTable<DeviceObject>(kDeviceKind);
   return *table;
 }
 

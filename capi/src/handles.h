@@ -8,6 +8,7 @@
 #include "capi/src/contact_arrays.h"
 #include "capi/src/errors.h"
 #include "capi/src/space.h"
+#include "engine/device/guarded_device.h"
 #include "engine/exchange/handle_table.h"
 #include "engine/runtime/scene_threads.h"
 #include "engine/scene/query.h"
@@ -34,10 +35,15 @@ struct SceneObject {
   SceneThreads threads;  // end first
 };
 
+struct DeviceObject {
+  std::shared_ptr<GuardedDevice> device;  // shared with the scene whose tool it moves
+};
+
 // The tables live until the process ends: a thread that still calls at exit must not meet a destroyed one.
 HandleTable<ModelObject>& model_table();
 HandleTable<QueryObject>& query_table();
 HandleTable<SceneObject>& scene_table();
+HandleTable<DeviceObject>& device_table();
 
 // A C handle is a pointer type that holds the 64 bits of a table's handle.
 template <class T>

@@ -33,10 +33,6 @@ DQuat unit_quaternion(const double xyzw[4], const char* name) {
   return glm::normalize(DQuat(xyzw[3] / largest, xyzw[0] / largest, xyzw[1] / largest, xyzw[2] / largest));
 }
 
-void store(const DVec3& vector, double out[3]) {
-  for (int i = 0; i < 3; ++i) out[i] = vector[i];
-}
-
 }  // namespace
 
 Space::Space(const plp_space& space, const char* name) : metres_per_unit_(space.metres_per_unit) {

@@ -39,6 +39,10 @@ class Space {
 
 inline constexpr plp_space kPalpateSpace = {{1, 2, 3}, 0, 1.0};
 
+inline void store(const DVec3& vector, double out[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = vector[i];
+}
+
 inline DVec3 vector_of(const double numbers[3]) {
   return {numbers[0], numbers[1], numbers[2]};
 }

@@ -32,6 +32,16 @@ template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_options> = 24;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_state> = 160;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_device_info> = 712;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_device_state> = 384;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_safety_limits> = 80;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_hand_options> = 200;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_device_mapping> = 144;
 
 // No version will need more; a larger size is taken for garbage and not read.
 inline constexpr std::uint32_t kLargestSize = 4096;

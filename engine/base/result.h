@@ -20,6 +20,7 @@ enum class ErrorCode {
   kLimit,
   kUnsafePath,
   kWrongState,
+  kDevice,
   kInternal,
 };
 

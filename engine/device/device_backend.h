@@ -19,10 +19,11 @@ class DeviceBackend {
   // What stands before the colon of its URIs.
   virtual std::string_view scheme() const = 0;
 
-  // The devices that could be opened now.
-  virtual std::vector<DeviceIdentity> enumerate() const = 0;
+  // The devices that could be opened now. What only an open device tells is left at zero.
+  virtual std::vector<DeviceInfo> enumerate() const = 0;
 
   // The device whose URI is "scheme:name"; a null pointer if there is none, an Error if it cannot be opened.
+  // What stands behind a question mark in the name are the backend's own parameters.
   virtual Result<std::unique_ptr<Device>> open(std::string_view name) const = 0;
 
  protected:

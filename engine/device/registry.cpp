@@ -17,10 +17,10 @@ void DeviceRegistry::add(std::unique_ptr<DeviceBackend> backend) {
   backends_.push_back(std::move(backend));
 }
 
-std::vector<DeviceIdentity> DeviceRegistry::enumerate() const {
-  std::vector<DeviceIdentity> all;
+std::vector<DeviceInfo> DeviceRegistry::enumerate() const {
+  std::vector<DeviceInfo> all;
   for (const auto& backend : backends_) {
-    const std::vector<DeviceIdentity> found = backend->enumerate();
+    const std::vector<DeviceInfo> found = backend->enumerate();
     all.insert(all.end(), found.begin(), found.end());
   }
   return all;
@@ -47,11 +47,11 @@ const DeviceBackend* DeviceRegistry::find(std::string_view scheme) const {
 Error DeviceRegistry::unknown(std::string_view uri) const {
   std::string message = "no device \"" + std::string(uri) + "\"; there are";
   const char* separator = " ";
-  for (const DeviceIdentity& identity : enumerate()) {
-    message += separator + identity.uri;
+  for (const DeviceInfo& info : enumerate()) {
+    message += separator + info.identity.uri;
     separator = ", ";
   }
-  return {ErrorCode::kInvalidArgument, message};
+  return {ErrorCode::kDevice, message};
 }
 
 }  // namespace palpate

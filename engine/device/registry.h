@@ -20,7 +20,7 @@ class DeviceRegistry {
   void add(std::unique_ptr<DeviceBackend> backend);
 
   // In the order in which the backends were added.
-  std::vector<DeviceIdentity> enumerate() const;
+  std::vector<DeviceInfo> enumerate() const;
 
   // The device that a URI names, or the default for an empty one. The error names what exists.
   Result<std::unique_ptr<Device>> open(std::string_view uri) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/device/finite.h"
 #include "engine/device/rotation_vector.h"
 
 namespace palpate {
@@ -11,21 +12,6 @@ namespace {
 // What quantisation and a sample more or less may add to a step between two poses.
 constexpr double kStepSlack = 1e-3;  // m
 constexpr double kTurnSlack = 1e-2;  // rad
-
-bool is_finite(const DVec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool is_finite(const DeviceWrench& wrench) {
-  return is_finite(wrench.force) && is_finite(wrench.torque);
-}
-
-bool is_finite(const DeviceState& state) {
-  constexpr double kUnitSlack = 1e-3;  // a quaternion far from unit length is no orientation
-  const RigidMotion& tool = state.tool;
-  return is_finite(tool.position) && is_finite(tool.linear_velocity) && is_finite(tool.angular_velocity) &&
-         std::isfinite(state.time) && std::abs(glm::length(tool.orientation) - 1.0) < kUnitSlack;
-}
 
 // Shortened to at most `limit`; squares that overflow or vanish are avoided.
 DVec3 clamp_length(const DVec3& v, double limit) {
@@ -43,6 +29,15 @@ double smooth(double x) {
 }
 
 }  // namespace
+
+void SafetyLimits::restart() {
+  enter(SafetyState::kDisarmed);
+  report_.acting.fill(false);
+  servo_ = {};
+  pose_ = {};
+  clean_ = 0.0;
+  has_previous_ = false;
+}
 
 DeviceWrench SafetyLimits::apply(const Command& command, const DeviceState& state, double dt) {
   report_.acting.fill(false);

@@ -24,8 +24,15 @@ class SafetyLimits {
 
   explicit SafetyLimits(const SafetySettings& settings) : settings_(settings) {}
 
+  const SafetySettings& settings() const { return settings_; }
+  void set_settings(const SafetySettings& settings) { settings_ = settings; }
+
   void arm() { wanted_ = true; }
   void disarm() { wanted_ = false; }
+
+  // After a time in which nothing was written, however long: what was seen before it is no measure, and force
+  // fades in anew. Whether to arm, and the counts, stay.
+  void restart();
 
   // The wrench to write, `dt` seconds after the call before.
   DeviceWrench apply(const Command& command, const DeviceState& state, double dt);

@@ -88,7 +88,16 @@ bool LiveScene::set_pose(BodyId id, const Pose& pose) {
 std::optional<Pose> LiveScene::pose_of(BodyId id) {
   const std::lock_guard lock(mutex_);
   const BodyRecord* const record = find(id);
-  return record ? std::optional(record->pose) : std::nullopt;
+  if (!record) return std::nullopt;
+  return id == tool_ && device_ ? pose_in_hand(*record) : record->pose;
+}
+
+// A device moves the tool without a word to its record.
+Pose LiveScene::pose_in_hand(const BodyRecord& tool) {
+  if (!live_) return scene_.find(tool.id)->pose();
+  parts_->tool_places.fetch();
+  const ToolView& view = parts_->tool_places.front();
+  return view.tool == tool.id ? view.pose : tool.pose;
 }
 
 template <class Change>
@@ -135,10 +144,19 @@ void LiveScene::set_mode(SearchMode mode) {
   options_.mode = mode;
 }
 
+Status LiveScene::set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
+  const std::lock_guard lock(mutex_);
+  if (device && device != device_ && !device->claim())
+    return Error{ErrorCode::kWrongState, "another scene has the device; take it from there first"};
+  device_ = device;
+  change([this, device, mapping](Scene&) mutable { device = loop_.exchange(std::move(device), mapping); });
+  return Done{};
+}
+
 Status LiveScene::step() {
   const std::lock_guard lock(mutex_);
   if (live_) return Error{ErrorCode::kWrongState, "the scene's servo runs"};
-  scene_.step();
+  loop_.tick(options_.time_step);
   return Done{};
 }
 
@@ -177,7 +195,7 @@ void LiveScene::go_still() {
 
 void LiveScene::tick(double dt) noexcept {
   execute_commands(kMostCommandsATick);
-  scene_.step(dt);
+  loop_.tick(dt);
   publish(dt);
 }
 
@@ -205,8 +223,10 @@ void LiveScene::publish(double dt) {
 void LiveScene::publish_tool(double dt) {
   const Body* const tool = scene_.find(scene_.tool());
   if (!tool) return;
-  parts_->tool_views.back() = {scene_.tool(), tool->pose(), scene_.steps(), dt};
-  parts_->tool_views.publish();
+  for (TripleSlot<ToolView>* slot : {&parts_->tool_views, &parts_->tool_places}) {
+    slot->back() = {scene_.tool(), tool->pose(), scene_.steps(), dt};
+    slot->publish();
+  }
 }
 
 bool LiveScene::search_globally() {

@@ -12,6 +12,7 @@
 #include "engine/runtime/body_record.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/global_search.h"
+#include "engine/runtime/haptic_loop.h"
 #include "engine/runtime/servo_state.h"
 #include "engine/runtime/servo_task.h"
 #include "engine/runtime/survey.h"
@@ -38,6 +39,10 @@ class LiveScene : public ServoTask {
   void set_friction(double friction);
   void set_law(ForceLaw law);
   void set_mode(SearchMode mode);
+
+  // Gives the tool to a device, whose hand feels it from then on; null takes it away. Errors: kWrongState
+  // (another scene has the device).
+  Status set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping);
 
   // Errors: kWrongState (it is live). If it throws, the outcome is what it was.
   Status step();
@@ -78,7 +83,8 @@ class LiveScene : public ServoTask {
 
     GlobalSearch global;
     TripleSlot<Contacts> outcomes;
-    TripleSlot<ToolView> tool_views;
+    TripleSlot<ToolView> tool_views;   // for the global search
+    TripleSlot<ToolView> tool_places;  // for pose_of()
     Counter waiting_ticks;
     Counter cut_ticks;
   };
@@ -89,6 +95,7 @@ class LiveScene : public ServoTask {
   void place(BodyId id, BodyOptions options);
   BodyTable::Slots slots_for(BodyId id);
   BodyRecord* find(BodyId id);
+  Pose pose_in_hand(const BodyRecord& tool);
   const Contacts& newest_contacts();
   void execute_commands(std::size_t most);
   void publish(double dt);
@@ -103,11 +110,13 @@ class LiveScene : public ServoTask {
   BodyIds ids_;
   std::vector<std::unique_ptr<BodyRecord>> records_;  // by slot
   BodyId tool_ = 0;
+  std::shared_ptr<GuardedDevice> device_;
   std::size_t slot_room_ = 0;  // of the scene's table while live
   std::uint64_t visited_step_ = 0;
 
   // The servo's while live, otherwise guarded, too.
   Scene scene_;
+  HapticLoop loop_{scene_};
   Letter* pending_ = nullptr;
 
   Mailbox inbox_;              // commands to the servo

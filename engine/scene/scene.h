@@ -42,13 +42,13 @@ class Scene {
   Result<BodyId> add(BodyOptions options);
   bool remove(BodyId id);  // false: no such body
   const Body* find(BodyId id) const { return bodies_.find(id); }
+  BodyId tool() const { return tool_; }        // 0: none
   bool set_pose(BodyId id, const Pose& pose);  // false: no such body
 
   // For who hands out the ids itself, instead of add() and remove().
   void place(std::unique_ptr<Body> body);
   std::unique_ptr<Body> take(BodyId id);                               // null: no such body
   void move_to(BodyTable::Slots& larger) { bodies_.move_to(larger); }  // their memory is exchanged
-  BodyId tool() const { return tool_; }                                // 0: none
   Body* body_against(BodyId tool, BodyId id);  // null: no such body, or the tool is another
 
   // Fixed, steps allocate nothing: a pair is skipped, and flagged, until it takes a search whose memory is

@@ -31,14 +31,20 @@ struct RunArguments {
   std::string mode = "certified";
   std::string law = "smooth";
   unsigned global_every = 10;  // ticks, while descending
+  bool compare = false;        // with the complete set of every tick
   bool threaded = false;       // a servo runs at the trajectory's own rate
   std::string out;             // empty: no file
+  bool json = false;
+};
+
+struct DevicesArguments {
   bool json = false;
 };
 
 // Each prints to standard output and throws Failure.
 void run_info(const InfoArguments& arguments);
 void run_query(const QueryArguments& arguments);
+void run_devices(const DevicesArguments& arguments);
 void run_trajectory(const RunArguments& arguments);
 
 }  // namespace palpate::cli

@@ -71,9 +71,18 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command->add_flag("--threaded", arguments.threaded,
                     "Follow the trajectory at its own rate while a servo thread steps the scene, rather than "
                     "as fast as it can");
+  command->add_flag(
+      "--compare", arguments.compare,
+      "Search every tick from scratch, too, and tell what the mode missed and how far its force is off");
   command->add_option("--out", arguments.out, "Write a CSV row for each tick");
   command->add_flag("--json", arguments.json, "Print the summary as JSON");
   command->callback([&] { run_trajectory(arguments); });
+}
+
+void add_devices(CLI::App& app, DevicesArguments& arguments) {
+  CLI::App* command = app.add_subcommand("devices", "List the haptic devices that could be opened");
+  command->add_flag("--json", arguments.json, "Print JSON");
+  command->callback([&] { run_devices(arguments); });
 }
 
 int complain(std::string sentence) {
@@ -90,9 +99,11 @@ int run(int argc, char** argv) {
   InfoArguments info;
   QueryArguments query;
   RunArguments trajectory;
+  DevicesArguments devices;
   add_info(app, info);
   add_query(app, query);
   add_run(app, trajectory);
+  add_devices(app, devices);
   try {
     app.parse(argc, argv);
     std::cout.flush();

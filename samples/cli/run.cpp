@@ -6,102 +6,20 @@
 #include <thread>
 
 #include "samples/cli/commands.h"
-#include "samples/cli/handles.h"
+#include "samples/cli/comparison.h"
 #include "samples/cli/json_writer.h"
-#include "samples/cli/tick.h"
-#include "samples/cli/trajectory.h"
+#include "samples/cli/stage.h"
 
 namespace palpate::cli {
 namespace {
-
-plp_mode mode_of(const std::string& name) {
-  if (name == "global") return PLP_MODE_GLOBAL;
-  if (name == "descent") return PLP_MODE_DESCENT;
-  if (name == "certified") return PLP_MODE_CERTIFIED;
-  throw Failure("--mode " + name + ": it is global, descent or certified");
-}
-
-plp_law law_of(const std::string& name) {
-  if (name == "springs") return PLP_LAW_SPRINGS;
-  if (name == "smooth") return PLP_LAW_SMOOTH;
-  throw Failure("--law " + name + ": it is springs or smooth");
-}
 
 void require_supported(const RunArguments& arguments) {
   static_cast<void>(mode_of(arguments.mode));
   if (arguments.global_every == 0) throw Failure("--global-every 0: it is at least 1");
   static_cast<void>(law_of(arguments.law));
+  if (arguments.compare && arguments.threaded)
+    throw Failure("--compare: not with --threaded, whose steps have no pose of their own");
 }
-
-// One model that stands still and one that is the tool.
-class Stage {
- public:
-  explicit Stage(const RunArguments& arguments) {
-    plp_scene_options options;
-    plp_scene_options_init(&options);
-    options.cutoff = arguments.cutoff;
-    options.stiffness = arguments.stiffness;
-    options.law = law_of(arguments.law);
-    options.damping = arguments.damping;
-    options.friction = arguments.friction;
-    options.stiffness_cap = arguments.stiffness_cap;
-    options.mode = mode_of(arguments.mode);
-    options.global_every = arguments.global_every;
-    check(plp_scene_create(&options, scene_.receive()));
-    add(load_model(arguments.a), PLP_BODY_STATIC);
-    tool_ = add(load_model(arguments.b), PLP_BODY_TOOL);
-  }
-
-  Tick step(const TimedPose& at) {
-    const auto start = std::chrono::steady_clock::now();
-    check(plp_scene_set_pose(scene_.get(), tool_, &at.pose));
-    check(plp_scene_step(scene_.get()));
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-
-    Tick tick = newest(at);
-    tick.local_us = took.count();
-    return tick;
-  }
-
-  // The same while a servo of so many steps a second runs beside the caller.
-  void start(double rate) {
-    plp_servo_options options;
-    plp_servo_options_init(&options);
-    options.rate = rate;
-    check(plp_scene_start(scene_.get(), &options));
-  }
-  void move(const TimedPose& at) { check(plp_scene_set_pose(scene_.get(), tool_, &at.pose)); }
-  Tick newest(const TimedPose& at) const {
-    plp_contacts contacts;
-    plp_contacts_init(&contacts);
-    check(plp_scene_get_contacts(scene_.get(), &contacts));
-    const plp_work& work = contacts.work;
-    return {at.seconds,          contacts.set_count, contacts.min_distance,
-            contacts.wrench,     contacts.search_us, work.global_us,
-            work.triangle_pairs, work.age,           contacts.overlap != 0};
-  }
-  plp_servo_state stop() {
-    check(plp_scene_stop(scene_.get()));
-    plp_servo_state state;
-    plp_servo_state_init(&state);
-    check(plp_scene_get_servo(scene_.get(), &state));
-    return state;
-  }
-
- private:
-  plp_body add(const OwnedModel& model, plp_body_kind kind) {
-    plp_body_options options;
-    plp_body_options_init(&options);
-    options.kind = kind;
-    options.model = model.get();
-    plp_body body = 0;
-    check(plp_scene_add_body(scene_.get(), &options, &body));
-    return body;
-  }
-
-  OwnedScene scene_;
-  plp_body tool_ = 0;
-};
 
 // Of a trajectory that a servo follows.
 double seconds_a_pose(const std::vector<TimedPose>& poses, const std::string& file) {
@@ -128,6 +46,46 @@ plp_servo_state run_threaded(Stage& stage, const std::vector<TimedPose>& poses, 
   return stage.stop();
 }
 
+// Steps the same poses from scratch beside each tick; that takes no part in its time.
+class Reference {
+ public:
+  Reference(const RunArguments& arguments, const RunModels& models)
+      : stage_(arguments, PLP_MODE_GLOBAL, models), comparison_(scale_of(arguments, models)) {}
+
+  void compare(const TimedPose& at, const plp_contacts& found) {
+    static_cast<void>(stage_.step(at));
+    comparison_.add(found, stage_.contacts());
+  }
+  ComparisonSummary summary() const { return comparison_.summary(); }
+
+ private:
+  static Comparison scale_of(const RunArguments& arguments, const RunModels& models) {
+    constexpr double kOnePoint = 1e-9;  // of the body's diagonal
+    plp_model_info body, tool;
+    plp_model_info_init(&body);
+    plp_model_info_init(&tool);
+    check(plp_model_get_info(models.body.get(), &body));
+    check(plp_model_get_info(models.tool.get(), &tool));
+    const double force = arguments.stiffness * arguments.cutoff;
+    return {force, 0.5 * tool.diagonal * force, kOnePoint * body.diagonal};
+  }
+
+  Stage stage_;
+  Comparison comparison_;
+};
+
+std::optional<ComparisonSummary> run_stepped(const RunArguments& arguments, const RunModels& models,
+                                             const std::vector<TimedPose>& poses, Stage& stage,
+                                             std::vector<Tick>& ticks) {
+  std::optional<Reference> reference;
+  if (arguments.compare) reference.emplace(arguments, models);
+  for (const TimedPose& pose : poses) {
+    ticks.push_back(stage.step(pose));
+    if (reference) reference->compare(pose, stage.contacts());
+  }
+  return reference ? std::optional(reference->summary()) : std::nullopt;
+}
+
 void write_file(const std::string& path, const std::vector<Tick>& ticks) {
   std::ofstream file(path);
   if (file) write_csv(ticks, file);
@@ -138,6 +96,53 @@ void write_file(const std::string& path, const std::vector<Tick>& ticks) {
 void write_times(JsonWriter& json, const char* name, const double us[4]) {
   json.key(name).open_object();
   json.field("p50", us[0]).field("p99", us[1]).field("p99.9", us[2]).field("max", us[3]).close();
+}
+
+// Means of a tick.
+void write_work(JsonWriter& json, const RunSummary& summary) {
+  const auto ticks = static_cast<double>(summary.ticks);
+  const auto mean = [&](std::uint64_t sum) { return static_cast<double>(sum) / ticks; };
+  const plp_work& work = summary.work;
+  json.key("work").open_object();
+  json.field("node_pairs", mean(work.node_pairs)).field("triangle_pairs", mean(work.triangle_pairs));
+  json.field("descents", mean(work.descents)).field("descent_steps", mean(work.descent_steps));
+  json.field("front_entries", mean(work.front_entries)).field("front_expired", mean(work.front_expired));
+  json.close();
+}
+
+void print_work(const RunSummary& summary) {
+  const auto ticks = static_cast<double>(summary.ticks);
+  const plp_work& work = summary.work;
+  std::printf(
+      "a tick tested %.1f node pairs and %.1f triangle pairs, followed %.2f minima by %.2f steps, kept %.0f "
+      "certificates and renewed %.1f\n",
+      static_cast<double>(work.node_pairs) / ticks, static_cast<double>(work.triangle_pairs) / ticks,
+      static_cast<double>(work.descents) / ticks, static_cast<double>(work.descent_steps) / ticks,
+      static_cast<double>(work.front_entries) / ticks, static_cast<double>(work.front_expired) / ticks);
+}
+
+void write_comparison(JsonWriter& json, const ComparisonSummary& comparison) {
+  json.key("comparison").open_object();
+  json.field("sets", comparison.sets)
+      .field("missed", comparison.missed)
+      .field("spurious", comparison.spurious);
+  json.field("force_error_rms", comparison.force_error_rms)
+      .field("force_error_p99.9", comparison.force_error_p999);
+  json.field("force_error_max", comparison.force_error_max);
+  json.field("torque_error_rms", comparison.torque_error_rms)
+      .field("torque_error_max", comparison.torque_error_max);
+  json.close();
+}
+
+void print_comparison(const ComparisonSummary& comparison) {
+  std::printf("of %zu local minimum distances %zu were missed, and %zu were spurious\n", comparison.sets,
+              comparison.missed, comparison.spurious);
+  std::printf(
+      "the force was off by RMS %.2e, p99.9 %.2e, max %.2e of stiffness x cutoff, the torque by RMS %.2e, "
+      "max "
+      "%.2e of that at half the tool's diagonal\n",
+      comparison.force_error_rms, comparison.force_error_p999, comparison.force_error_max,
+      comparison.torque_error_rms, comparison.torque_error_max);
 }
 
 void write_servo(JsonWriter& json, const plp_servo_state& servo) {
@@ -159,7 +164,13 @@ void print_servo(const plp_servo_state& servo) {
       servo.lateness_us[1], servo.lateness_us[2], servo.lateness_us[3]);
 }
 
-void print_json(const RunSummary& summary, const std::optional<plp_servo_state>& servo) {
+// What there is to tell beside the summary.
+struct RunReport {
+  std::optional<plp_servo_state> servo;
+  std::optional<ComparisonSummary> comparison;
+};
+
+void print_json(const RunSummary& summary, const RunReport& report) {
   JsonWriter json(std::cout);
   json.open_object()
       .field("ticks", summary.ticks)
@@ -169,7 +180,9 @@ void print_json(const RunSummary& summary, const std::optional<plp_servo_state>&
   const double local_us[] = {summary.local_us_p50, summary.local_us_p99, summary.local_us_p999,
                              summary.local_us_max};
   write_times(json, "local_us", local_us);
-  if (servo) write_servo(json, *servo);
+  write_work(json, summary);
+  if (report.servo) write_servo(json, *report.servo);
+  if (report.comparison) write_comparison(json, *report.comparison);
   json.close();
   std::cout << '\n';
 }
@@ -187,19 +200,22 @@ void run_trajectory(const RunArguments& arguments) {
   require_supported(arguments);
   const std::vector<TimedPose> poses = read_trajectory(arguments.trajectory);
   const double interval = arguments.threaded ? seconds_a_pose(poses, arguments.trajectory) : 0.0;
-  Stage stage(arguments);
+  const RunModels models(arguments);
+  Stage stage(arguments, mode_of(arguments.mode), models);
   std::vector<Tick> ticks;
   ticks.reserve(poses.size());
-  std::optional<plp_servo_state> servo;
+  RunReport report;
   if (arguments.threaded) {
-    servo = run_threaded(stage, poses, interval, ticks);
+    report.servo = run_threaded(stage, poses, interval, ticks);
   } else {
-    for (const TimedPose& pose : poses) ticks.push_back(stage.step(pose));
+    report.comparison = run_stepped(arguments, models, poses, stage, ticks);
   }
   if (!arguments.out.empty()) write_file(arguments.out, ticks);
-  if (arguments.json) return print_json(summary_of(ticks), servo);
+  if (arguments.json) return print_json(summary_of(ticks), report);
   print_summary(summary_of(ticks));
-  if (servo) print_servo(*servo);
+  print_work(summary_of(ticks));
+  if (report.servo) print_servo(*report.servo);
+  if (report.comparison) print_comparison(*report.comparison);
 }
 
 }  // namespace palpate::cli

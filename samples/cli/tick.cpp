@@ -1,25 +1,28 @@
 #include "samples/cli/tick.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "samples/cli/numbers.h"
+#include "samples/cli/percentile.h"
 
 namespace palpate::cli {
 namespace {
+
+void add(const plp_work& work, plp_work& sum) {
+  sum.node_pairs += work.node_pairs;
+  sum.triangle_pairs += work.triangle_pairs;
+  sum.descents += work.descents;
+  sum.descent_steps += work.descent_steps;
+  sum.front_entries += work.front_entries;
+  sum.front_expired += work.front_expired;
+}
 
 void write_row(const Tick& tick, std::ostream& out) {
   out << exact_text(tick.seconds) << ',' << tick.lmds << ',' << exact_text(tick.min_distance);
   for (const double component : tick.wrench.force) out << ',' << exact_text(component);
   for (const double component : tick.wrench.torque) out << ',' << exact_text(component);
-  out << ',' << exact_text(tick.local_us) << ',' << exact_text(tick.global_us) << ',' << tick.pairs << ','
-      << tick.age_ticks << '\n';
-}
-
-// The least value that `share` of all do not exceed.
-double percentile(const std::vector<double>& ascending, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(ascending.size())));
-  return ascending[std::max<std::size_t>(rank, 1) - 1];
+  out << ',' << exact_text(tick.local_us) << ',' << exact_text(tick.work.global_us) << ','
+      << tick.work.triangle_pairs << ',' << tick.work.age << '\n';
 }
 
 }  // namespace
@@ -38,6 +41,7 @@ RunSummary summary_of(const std::vector<Tick>& ticks) {
     summary.ticks_overlapping += tick.overlap;
     summary.most_lmds = std::max(summary.most_lmds, tick.lmds);
     local_us.push_back(tick.local_us);
+    add(tick.work, summary.work);
   }
   std::sort(local_us.begin(), local_us.end());
   summary.local_us_p50 = percentile(local_us, 0.5);

@@ -15,10 +15,8 @@ struct Tick {
   std::size_t lmds;  // sets: a plateau counts once
   double min_distance;
   plp_wrench wrench;
-  double local_us;      // all that the tick computed up to its wrench
-  double global_us;     // the search from scratch; 0 where none ran
-  std::uint64_t pairs;  // of triangles tested
-  std::uint64_t age_ticks;
+  double local_us;  // all that the tick computed up to its wrench
+  plp_work work;
   bool overlap;
 };
 
@@ -34,6 +32,7 @@ struct RunSummary {
   double local_us_p99 = 0.0;
   double local_us_p999 = 0.0;
   double local_us_max = 0.0;
+  plp_work work{};  // sums over the ticks of what was searched, followed and kept
 };
 
 RunSummary summary_of(const std::vector<Tick>& ticks);  // of at least one

@@ -17,7 +17,7 @@ struct NamedSpace {
 
 constexpr NamedSpace kSpaces[] = {
     {"palpate", {{1, 2, 3}, 0, 1.0}},         {"unity_flip_x", {{-1, 2, 3}, 0, 1.0}},
-    {"unity_flip_z", {{1, 2, -3}, 0, 1.0}},   {"z_up", {{1, 3, -2}, 0, 1.0}},
+    {"unity_flip_z", {{1, 2, -3}, 0, 1.0}},   {"z_up", {{1, -3, 2}, 0, 1.0}},
     {"millimetres", {{1, 2, 3}, 0, 0.001}},   {"unreal_like", {{3, 1, 2}, 0, 0.01}},
     {"all_mirrored", {{-1, -2, -3}, 0, 2.0}},
 };

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "engine/device/simulated/simulated_phantom.h"
+
 namespace palpate {
 namespace {
 
@@ -11,7 +13,7 @@ namespace {
 class UnpluggedBackend final : public DeviceBackend {
  public:
   std::string_view scheme() const override { return "cable"; }
-  std::vector<DeviceIdentity> enumerate() const override { return {{"cable:arm", "Arm", "7"}}; }
+  std::vector<DeviceInfo> enumerate() const override { return {{{"cable:arm", "Arm", "7"}, {}, {}}}; }
   Result<std::unique_ptr<Device>> open(std::string_view name) const override {
     if (name != "arm") return std::unique_ptr<Device>();
     return Error{ErrorCode::kUnsupported, "the arm is unplugged"};
@@ -26,10 +28,12 @@ TEST(DeviceRegistry, OpensEverythingItEnumerates) {
   const DeviceRegistry registry = DeviceRegistry::standard();
   const auto found = registry.enumerate();
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found.front().uri, kDefaultDeviceUri);
-  for (const DeviceIdentity& identity : found) {
+  EXPECT_EQ(found.front().identity.uri, kDefaultDeviceUri);
+  for (const auto& [identity, capabilities, limits] : found) {
     const auto opened = registry.open(identity.uri);
     ASSERT_TRUE(opened) << identity.uri;
+    EXPECT_EQ(opened.value()->info().capabilities.actuated, capabilities.actuated);
+    EXPECT_EQ(opened.value()->info().limits.max_force, limits.max_force);
     EXPECT_EQ(opened.value()->info().identity.uri, identity.uri);
     EXPECT_EQ(opened.value()->info().identity.name, identity.name);
   }
@@ -57,11 +61,45 @@ TEST(DeviceRegistry, NamesWhatExistsWhenAskedForWhatDoesNot) {
   for (const char* uri : {"sim:spoon", "sim:", "sim", "usb:touch", ":", "cable:leg", "SIM:touch"}) {
     const auto opened = registry.open(uri);
     ASSERT_FALSE(opened) << uri;
-    EXPECT_EQ(opened.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_EQ(opened.error().code, ErrorCode::kDevice);
     const std::string& message = opened.error().message;
     for (const char* part : {uri, "sim:premium6dof", "sim:touch", "cable:arm"}) {
       EXPECT_TRUE(contains(message, part)) << message << " lacks " << part;
     }
+  }
+}
+
+// The handle moves away from where it was placed, and the sample tells as many ticks later as were asked for.
+int samples_late(Device& device) {
+  auto& phantom = dynamic_cast<SimulatedPhantom&>(device);
+  phantom.set_grip(Grip::kReleased);
+  for (int late = 0; late < 20; ++late) {
+    phantom.write({DVec3(1.0, 0.0, 0.0), DVec3(0.0)});
+    phantom.step(1e-2);
+    if (phantom.read().tool.position.x > 0.0) return late;
+  }
+  return -1;
+}
+
+TEST(DeviceRegistry, OpensASimulatedDeviceWithDelay) {
+  const DeviceRegistry registry = DeviceRegistry::standard();
+  for (int delay = 0; delay <= 8; ++delay) {
+    const auto opened = registry.open("sim:touch?delay=" + std::to_string(delay));
+    ASSERT_TRUE(opened) << delay;
+    EXPECT_EQ(samples_late(*opened.value()), delay);
+  }
+  const auto prompt = registry.open("sim:premium6dof");
+  ASSERT_TRUE(prompt);
+  EXPECT_EQ(samples_late(*prompt.value()), 0);
+}
+
+TEST(DeviceRegistry, RefusesParametersThatASimulatedDeviceHasNot) {
+  for (const char* parameters : {"delay", "delay=", "delay=-1", "delay=9", "delay=1.5", "delay=1 ", "delay=x",
+                                 "delay=99999999999", "speed=1", "delay=1&delay=2"}) {
+    const auto opened = DeviceRegistry::standard().open(std::string("sim:touch?") + parameters);
+    ASSERT_FALSE(opened) << parameters;
+    EXPECT_EQ(opened.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_TRUE(contains(opened.error().message, parameters)) << opened.error().message;
   }
 }
 

@@ -131,7 +131,7 @@ class SceneTest(unittest.TestCase):
         self.assertAlmostEqual(self.scene.step().wrench.torque[2], 112.5, delta=1e-6)
 
     def test_another_space(self):
-        millimetres_z_up = palpate.Space((1, 3, -2), metres_per_unit=0.001)
+        millimetres_z_up = palpate.Space((1, -3, 2), metres_per_unit=0.001)
         scene = palpate.Scene(200.0, space=millimetres_z_up, law="springs")
         scene.add(box())
         tool = scene.add(box(), beside(0, 0, 1100), "tool")

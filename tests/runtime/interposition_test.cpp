@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/device/simulated/simulated_phantom.h"
 #include "engine/runtime/scene_threads.h"
 #include "tests/runtime/forbidden_calls.h"
 #include "tests/support/models.h"
@@ -170,6 +171,35 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
   EXPECT_GT(sets, motion.size() / 2);
   EXPECT_GT(overlaps, 0u);
   EXPECT_GE(counts.preparations, motion.size() / 5);
+}
+
+// The tool goes from hand to hand, and its device is told what to do meanwhile.
+TEST(ServoPathInHand, NeitherAllocatesNorLocksNorBlocks) {
+  const auto box = asset_model("box");
+  LiveScene scene({.cutoff = 0.01, .stiffness = 150.0});
+  Pose below;
+  below.translation.y = -0.105;
+  add(scene, box, BodyKind::kStatic, below);
+  const BodyId tool = add(scene, box, BodyKind::kTool, {});
+  GuardedScene guarded(scene);
+  SceneThreads threads(scene);
+  ASSERT_TRUE(threads.start(kServo, guarded));
+  std::uint64_t pushed = 0;
+  for (int i = 0; i < 8; ++i) {
+    auto device = std::make_shared<GuardedDevice>(std::make_unique<SimulatedPhantom>(premium6dof_spec()));
+    HandOrder order;
+    order.impedance = impedance_of(Grip::kLight);
+    order.place = true;
+    device->order_hand(std::move(order));
+    ASSERT_TRUE(scene.set_device(device, {}));
+    device->arm();
+    wait_for_ticks(threads, 150);
+    pushed += device->status().wanted.force.y > 0.0;
+    EXPECT_TRUE(scene.pose_of(tool).has_value());
+    if (i % 2 == 1) EXPECT_TRUE(scene.set_device(nullptr, {}).ok());
+  }
+  threads.stop();
+  EXPECT_GT(pushed, 4u);
 }
 
 // Modes are switched, the tool is exchanged, and the front outgrows its room.

@@ -60,6 +60,7 @@ class Storm {
     start(&Storm::start_and_stop);
     start(&Storm::read_contacts);
     start(&Storm::read_servo);
+    start(&Storm::change_hands);
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     over_ = true;
     for (std::thread& thread : threads) thread.join();
@@ -140,6 +141,32 @@ class Storm {
     expect(plp_scene_set_cutoff(scene_.handle, dice.uniform(0.5 * kCutoff, kLargestCutoff)));
     expect(plp_scene_set_stiffness(scene_.handle, dice.uniform(0.0, 1000.0)));
     std::this_thread::sleep_for(std::chrono::milliseconds(7));
+  }
+
+  // The tool goes from hand to hand, among them none.
+  void change_hands(Dice& dice) {
+    plp_device device = nullptr;
+    expect(plp_device_open(dice.below(2) ? "sim:premium6dof" : "sim:touch", &device));
+    plp_hand_options hand;
+    plp_hand_options_init(&hand);
+    hand.script = PLP_HAND_SLIDE;
+    hand.period = 0.05;
+    expect(plp_device_set_hand(device, &hand));
+    plp_device_mapping mapping;
+    plp_device_mapping_init(&mapping);
+    mapping.scene_from_base.position[0] = 1.7;
+    expect(plp_scene_set_device(scene_.handle, device, &mapping));
+    expect(plp_device_arm(device));
+    for (int i = 0; i < 20; ++i) {
+      plp_device_state state;
+      plp_device_state_init(&state);
+      expect(plp_device_get_state(device, &state));
+      if (dice.below(8) == 0) expect(plp_device_disarm(device));
+      if (dice.below(8) == 0) expect(plp_device_place_in_hand(device));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    expect(plp_device_release(device));  // the scene keeps it
+    if (dice.below(2)) expect(plp_scene_set_device(scene_.handle, nullptr, nullptr));
   }
 
   void start_and_stop(Dice& dice) {

@@ -17,7 +17,7 @@ BELOW = {
     "engine/contact": ("engine/math",),
     "engine/scene": ("engine/descent", "engine/contact"),
     "engine/exchange": ("engine/base",),
-    "engine/runtime": ("engine/scene", "engine/descent", "engine/exchange"),
+    "engine/runtime": ("engine/scene", "engine/descent", "engine/exchange", "engine/device"),
     "engine/device": ("engine/math", "engine/exchange"),
     "engine/trace": ("engine/exchange",),
 }

@@ -9,14 +9,16 @@ namespace {
 
 // Only compared before and after, on one thread or with the others at rest: no order is needed.
 std::atomic<std::uint64_t> count = 0;
+std::atomic<bool> failing = false;
 
 void* counted(std::size_t size) noexcept {
   count.fetch_add(1, std::memory_order_relaxed);
-  return std::malloc(size);
+  return failing.load(std::memory_order_relaxed) ? nullptr : std::malloc(size);
 }
 
 void* counted(std::size_t size, std::align_val_t alignment) noexcept {
   count.fetch_add(1, std::memory_order_relaxed);
+  if (failing.load(std::memory_order_relaxed)) return nullptr;
   const auto align = static_cast<std::size_t>(alignment);
   return std::aligned_alloc(align, (size + align - 1) / align * align);
 }
@@ -30,6 +32,13 @@ void* or_throw(void* memory) {
 
 std::uint64_t palpate::test::allocation_count() {
   return count.load(std::memory_order_relaxed);
+}
+
+palpate::test::AllocationFailure::AllocationFailure() {
+  failing.store(true, std::memory_order_relaxed);
+}
+palpate::test::AllocationFailure::~AllocationFailure() {
+  failing.store(false, std::memory_order_relaxed);
 }
 
 void* operator new(std::size_t size) {

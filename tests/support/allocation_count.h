@@ -8,4 +8,13 @@ namespace palpate::test {
 // that links palpate_allocation_count has its operators replaced.
 std::uint64_t allocation_count();
 
+// As long as one lives, that program has no memory left: every allocation throws.
+class AllocationFailure {
+ public:
+  AllocationFailure();
+  ~AllocationFailure();
+  AllocationFailure(const AllocationFailure&) = delete;
+  AllocationFailure& operator=(const AllocationFailure&) = delete;
+};
+
 }  // namespace palpate::test

@@ -90,10 +90,18 @@ namespace Palpate
         }
     }
 
-    /// <summary>PLP_ERROR_WRONG_STATE: not while the scene is in this state, such as stepped by its servo.</summary>
+    /// <summary>PLP_ERROR_WRONG_STATE: not while things are as they are: a servo steps the scene, or another scene has the device.</summary>
     public sealed class PalpateWrongStateException : PalpateException
     {
         internal PalpateWrongStateException(string message) : base(Raw.PLP_ERROR_WRONG_STATE, message)
+        {
+        }
+    }
+
+    /// <summary>PLP_ERROR_DEVICE: a device that cannot be opened.</summary>
+    public sealed class PalpateDeviceException : PalpateException
+    {
+        internal PalpateDeviceException(string message) : base(Raw.PLP_ERROR_DEVICE, message)
         {
         }
     }
@@ -124,6 +132,7 @@ namespace Palpate
                 case Raw.PLP_ERROR_LIMIT: return new PalpateLimitException(message);
                 case Raw.PLP_ERROR_UNSAFE_PATH: return new PalpateUnsafePathException(message);
                 case Raw.PLP_ERROR_WRONG_STATE: return new PalpateWrongStateException(message);
+                case Raw.PLP_ERROR_DEVICE: return new PalpateDeviceException(message);
                 case Raw.PLP_ERROR_INTERNAL: return new PalpateInternalException(message);
                 default: return new PalpateException(code, message);
             }

@@ -31,6 +31,7 @@ namespace Palpate
         public const int PLP_ERROR_LIMIT = -10;
         public const int PLP_ERROR_UNSAFE_PATH = -11;
         public const int PLP_ERROR_WRONG_STATE = -12;
+        public const int PLP_ERROR_DEVICE = -13;
         public const int PLP_ERROR_INTERNAL = -100;
 
         public const int PLP_LOG_ERROR = 0;
@@ -71,6 +72,37 @@ namespace Palpate
         public const int PLP_BODY_STATIC = 0;
         public const int PLP_BODY_MOVING = 1;
         public const int PLP_BODY_TOOL = 2;
+
+        public const int PLP_SAFETY_DISARMED = 0;
+        public const int PLP_SAFETY_RAMPING = 1;
+        public const int PLP_SAFETY_ARMED = 2;
+        public const int PLP_SAFETY_FAULT = 3;
+
+        public const int PLP_LIMITER_LONG_TICK = 0;
+        public const int PLP_LIMITER_NON_FINITE_WRENCH = 1;
+        public const int PLP_LIMITER_NON_FINITE_POSE = 2;
+        public const int PLP_LIMITER_POSE_JUMP = 3;
+        public const int PLP_LIMITER_STALE_SERVO = 4;
+        public const int PLP_LIMITER_STALE_POSE = 5;
+        public const int PLP_LIMITER_FORCE_CLAMP = 6;
+        public const int PLP_LIMITER_TORQUE_CLAMP = 7;
+        public const int PLP_LIMITER_FORCE_SLEW = 8;
+        public const int PLP_LIMITER_TORQUE_SLEW = 9;
+        public const int PLP_LIMITER_RAMP = 10;
+
+        public const int PLP_GRIP_RELEASED = 0;
+        public const int PLP_GRIP_LIGHT = 1;
+        public const int PLP_GRIP_FIRM = 2;
+        public const int PLP_GRIP_OWN = 3;
+
+        public const int PLP_HAND_HOLD = 0;
+        public const int PLP_HAND_TAP = 1;
+        public const int PLP_HAND_PRESS = 2;
+        public const int PLP_HAND_SLIDE = 3;
+        public const int PLP_HAND_WEDGE = 4;
+        public const int PLP_HAND_CIRCLE = 5;
+
+        public const int PLP_DEVICE_KEEP_TOOL_POSE = 1;
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         public delegate void plp_log_callback(int level, byte* message, void* user);
@@ -305,6 +337,101 @@ namespace Palpate
             public ulong result_age;
         }
 
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_device_info
+        {
+            public uint struct_size;
+            public uint buttons;
+            public uint sensed;
+            public uint actuated;
+            public fixed byte uri[256];
+            public fixed byte name[256];
+            public fixed byte serial[64];
+            public double max_force;
+            public double continuous_force;
+            public double max_torque;
+            public double continuous_torque;
+            public double max_stiffness;
+            public double max_damping;
+            public double position_resolution;
+            public double angle_resolution;
+            public double update_rate;
+            public fixed double workspace_min[3];
+            public fixed double workspace_max[3];
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_device_state
+        {
+            public uint struct_size;
+            public uint buttons;
+            public plp_pose pose;
+            public fixed double linear_velocity[3];
+            public fixed double angular_velocity[3];
+            public double time;
+            public ulong sequence;
+            public int calibrated;
+            public int safety;
+            public plp_wrench commanded;
+            public plp_wrench applied;
+            public double gain;
+            public uint limiters;
+            public int unactuated;
+            public ulong ticks;
+            public fixed ulong limiter_ticks[16];
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_safety_limits
+        {
+            public uint struct_size;
+            public uint dead_man;
+            public double max_force;
+            public double max_torque;
+            public double force_slew;
+            public double torque_slew;
+            public double max_speed;
+            public double max_turn_rate;
+            public double watchdog;
+            public double ramp_time;
+            public double fault_hold;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_hand_options
+        {
+            public uint struct_size;
+            public int grip;
+            public int script;
+            public uint buttons;
+            public double mass;
+            public double damping;
+            public double stiffness;
+            public double inertia;
+            public double angular_damping;
+            public double angular_stiffness;
+            public plp_pose origin;
+            public fixed double into[3];
+            public fixed double along[3];
+            public double depth;
+            public double travel;
+            public double twist;
+            public double period;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_device_mapping
+        {
+            public uint struct_size;
+            public uint flags;
+            public plp_pose scene_from_base;
+            public plp_pose handle_from_tool;
+            public double motion_scale;
+            public double force_scale;
+            public uint clutch_buttons;
+            public uint reserved;
+        }
+
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern uint plp_version();
 
@@ -442,5 +569,60 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_shutdown_all();
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_device_info_init(plp_device_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_list(plp_device_info* infos, UIntPtr capacity, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_open(byte* uri, IntPtr* device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_retain(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_release(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_get_info(IntPtr device, plp_device_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_device_state_init(plp_device_state* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_get_state(IntPtr device, plp_device_state* state);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_arm(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_disarm(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_safety_limits_init(plp_safety_limits* limits);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_set_limits(IntPtr device, plp_safety_limits* limits);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_hand_options_init(plp_hand_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_set_hand(IntPtr device, plp_hand_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_set_hand_poses(IntPtr device, double* times, plp_pose* poses,
+                                                           UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_place_in_hand(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_device_mapping_init(plp_device_mapping* mapping);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_set_device(IntPtr scene, IntPtr device, plp_device_mapping* mapping);
     }
 }

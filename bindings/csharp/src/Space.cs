@@ -33,6 +33,6 @@ namespace Palpate
         public static Space UnityOpenXR => new Space(1, 2, -3);
 
         /// <summary>Blender and Panda3D.</summary>
-        public static Space ZUp => new Space(1, 3, -2);
+        public static Space ZUp => new Space(1, -3, 2);
     }
 }

@@ -69,7 +69,9 @@ enum {
   PLP_ERROR_NON_FINITE = -9,   /**< an infinite or NaN coordinate */
   PLP_ERROR_LIMIT = -10,       /**< larger than a limit that the options or this library set */
   PLP_ERROR_UNSAFE_PATH = -11, /**< a glTF names a buffer outside its own folder */
-  PLP_ERROR_WRONG_STATE = -12, /**< not while the scene is in this state, such as stepped by its servo */
+  PLP_ERROR_WRONG_STATE = -12, /**< not while things are as they are: a servo steps the scene, or another
+                                  scene has the device */
+  PLP_ERROR_DEVICE = -13,      /**< a device that cannot be opened */
   PLP_ERROR_INTERNAL = -100    /**< a defect of this library */
 };
 
@@ -128,7 +130,7 @@ typedef struct plp_wrench {
 /** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis
  * the i-th axis of that space points: ±1, ±2 or ±3 for ±x, ±y or ±z, each axis once. Palpate's own is {1, 2,
  * 3}, right-handed and, as glTF, with +y up. {-1, 2, 3} is Unity with models as UnityGLTF and glTFast load
- * them; {1, 2, -3} Unity as OpenXR gives poses; {1, 3, -2} has z up (Blender, Panda3D). Forces stay in
+ * them; {1, 2, -3} Unity as OpenXR gives poses; {1, -3, 2} has z up (Blender, Panda3D). Forces stay in
  * newtons and torques in newton-metres; under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
   int32_t axes[3];
@@ -637,6 +639,263 @@ PLP_API plp_result plp_scene_get_servo(plp_scene scene, plp_servo_state* state);
  * exits; closing the library leaves it in memory and its servos running. May be called more than once.
  *  @return PLP_OK. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_shutdown_all(void);
+
+/* ------------------------------------------------------------------------------------------------------------
+ * device */
+
+/**
+ * A haptic device in its safety limits; reference counted.
+ *
+ * A device's base frame is right-handed, +x to the right, +y up, +z to the user, in metres whatever the space
+ * of a scene. Its handle is where the hand holds it: the centre of its gimbal.
+ *
+ * **Safety.** Nothing reaches the motors but through the limits, which no call removes. They clamp force and
+ * torque to the device's own maxima with their direction kept, limit how fast both change, let force fade in
+ * after arming and after every fault, and give no force at all while the device is disarmed or not
+ * calibrated, while a dead-man button is let go, or in a fault: a wrench or a pose that is not finite, a pose
+ * that jumps, a servo or a pose that is stale. A device begins disarmed. A loop is stable only where the
+ * stiffness that the hand feels is one that the device can render (plp_device_info::max_stiffness is its
+ * maker's figure): the limits bound an unstable loop, they do not calm it. Keep the face away from an armed
+ * device, and arm with the hand on the handle.
+ */
+typedef struct plp_device_t* plp_device;
+
+/** What a device is and can do. A degree of freedom that is not actuated has limits of zero. */
+typedef struct plp_device_info {
+  uint32_t struct_size;
+  uint32_t buttons;           /**< how many it has */
+  uint32_t sensed;            /**< bits 0 to 2: translation along x, y, z; bits 3 to 5: rotation about them */
+  uint32_t actuated;          /**< the same for forces and torques */
+  char uri[256];              /**< what plp_device_open takes; UTF-8 and terminated, as all three texts */
+  char name[256];             /**< for people */
+  char serial[64];            /**< "" if it has none */
+  double max_force;           /**< N, for short */
+  double continuous_force;    /**< N, for ever */
+  double max_torque;          /**< N·m, for short */
+  double continuous_torque;   /**< N·m, for ever */
+  double max_stiffness;       /**< N/m that the hand may feel */
+  double max_damping;         /**< N·s/m */
+  double position_resolution; /**< m at the handle */
+  double angle_resolution;    /**< rad */
+  double update_rate;         /**< Hz */
+  double workspace_min[3];    /**< m, base frame */
+  double workspace_max[3];    /**< m, base frame */
+} plp_device_info;
+
+/** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_device_info_init(plp_device_info* info);
+
+/**
+ * @brief Lists the devices that could be opened now. Limits that only an open device tells are zero.
+ * @param infos `capacity` of them; the first one's struct_size counts for all, and is the distance from one
+ * to the next. May be null if `capacity` is 0. @param count receives how many devices there are, which may be
+ * more.
+ * @return PLP_ERROR_INVALID_ARGUMENT or _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_device_list(plp_device_info* infos, size_t capacity, size_t* count);
+
+/**
+ * @brief Opens a device. `sim:premium6dof` and `sim:touch` are simulated and always there: a PHANToM Premium
+ * 1.5/6DOF and a Touch, which has no torque, in a simulated hand (plp_device_set_hand). Each opening makes
+ * another one; `?delay=N` behind makes its sensors N samples late, 0 to 8.
+ * @param uri null or "" for `sim:premium6dof`. @param device receives the handle; release it.
+ * @return PLP_ERROR_DEVICE if there is no such device or it cannot be opened: the sentence names those that
+ * there are; _INVALID_ARGUMENT, _LIMIT or _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_device_open(const char* uri, plp_device* device);
+
+/** @brief Adds a reference. @return PLP_ERROR_INVALID_HANDLE, or _LIMIT with 65,535 references.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_retain(plp_device device);
+
+/** @brief Gives a reference back; with the last one the handle becomes invalid. A scene keeps its device,
+ * which is closed when nobody has it. Null is allowed. @return PLP_ERROR_INVALID_HANDLE.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_release(plp_device device);
+
+/** @brief Tells what a device is. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_get_info(plp_device device, plp_device_info* info);
+
+/** What the safety limits let a device do. */
+typedef enum plp_safety {
+  PLP_SAFETY_DISARMED = 0, /**< no force: not armed, not calibrated, or the dead-man button let go */
+  PLP_SAFETY_RAMPING = 1,  /**< force fades in */
+  PLP_SAFETY_ARMED = 2,
+  PLP_SAFETY_FAULT = 3 /**< no force until its cause has been away for a while; then it fades in by itself */
+} plp_safety;
+
+/** What can change a wrench on its way to the motors. */
+typedef enum plp_limiter {
+  PLP_LIMITER_LONG_TICK = 0,         /**< time stood still, as at a breakpoint: force fades in anew */
+  PLP_LIMITER_NON_FINITE_WRENCH = 1, /**< fault */
+  PLP_LIMITER_NON_FINITE_POSE = 2,   /**< fault */
+  PLP_LIMITER_POSE_JUMP = 3,         /**< fault: faster than a hand */
+  PLP_LIMITER_STALE_SERVO = 4,       /**< fault: no new wrench */
+  PLP_LIMITER_STALE_POSE = 5,        /**< fault: no new sample */
+  PLP_LIMITER_FORCE_CLAMP = 6,
+  PLP_LIMITER_TORQUE_CLAMP = 7,
+  PLP_LIMITER_FORCE_SLEW = 8,
+  PLP_LIMITER_TORQUE_SLEW = 9,
+  PLP_LIMITER_RAMP = 10
+} plp_limiter;
+
+/** A device after a tick. Poses, velocities and wrenches are in its base frame. */
+typedef struct plp_device_state {
+  uint32_t struct_size;
+  uint32_t buttons;           /**< bit i: button i is held */
+  plp_pose pose;              /**< of the handle, metres */
+  double linear_velocity[3];  /**< m/s */
+  double angular_velocity[3]; /**< rad/s */
+  double time;                /**< s, of the sample, by the device's own clock */
+  uint64_t sequence;          /**< grows with every sample */
+  int32_t calibrated;         /**< 0: its pose is not to be trusted, and there is no force */
+  int32_t safety;             /**< plp_safety */
+  plp_wrench commanded;       /**< asked for, about the handle */
+  plp_wrench applied;         /**< sent to the motors, about the handle */
+  double gain;                /**< of the fading in, 0 to 1 */
+  uint32_t limiters;          /**< bit 1 << plp_limiter: acting in the last tick */
+  int32_t unactuated;         /**< 1: part of `commanded` was dropped, because there are no motors for it */
+  uint64_t ticks;
+  uint64_t limiter_ticks[16]; /**< by plp_limiter: ticks in which each has acted */
+} plp_device_state;
+
+/** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_device_state_init(plp_device_state* state);
+
+/** @brief Reads the state of the device's last tick: a step of the scene that has it. Before the first one it
+ * is that of its opening. Waits for no tick. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_get_state(plp_device device, plp_device_state* state);
+
+/** @brief Lets force fade in from the next tick on. @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_arm(plp_device device);
+
+/** @brief Ends all force from the next tick on, at once. @return as plp_device_arm.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_disarm(plp_device device);
+
+/** Limits that are tighter than a device's own. A number that is 0 is the device's own. */
+typedef struct plp_safety_limits {
+  uint32_t struct_size;
+  uint32_t dead_man;    /**< bits of buttons that must all be held for any force; 0: none */
+  double max_force;     /**< N */
+  double max_torque;    /**< N·m */
+  double force_slew;    /**< N/s */
+  double torque_slew;   /**< N·m/s */
+  double max_speed;     /**< m/s: a faster pose jumps */
+  double max_turn_rate; /**< rad/s */
+  double watchdog;      /**< s without a new wrench, pose or tick */
+  double ramp_time;     /**< s in which force fades in; not shorter than the device's own */
+  double fault_hold;    /**< s without a cause that end a fault; not shorter than the device's own */
+} plp_safety_limits;
+
+/** @brief Fills `limits`: the device's own, no dead-man button. @threadsafety any @since 0.1 */
+PLP_API void plp_safety_limits_init(plp_safety_limits* limits);
+
+/** @brief Tightens the limits from the next tick on, from the device's own and not from those before.
+ *  @return PLP_ERROR_INVALID_ARGUMENT for one that is looser than the device's own, or for a button that it
+ * has not; _INVALID_HANDLE or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_set_limits(plp_device device, const plp_safety_limits* limits);
+
+/** How a simulated hand holds the handle. */
+typedef enum plp_grip {
+  PLP_GRIP_RELEASED = 0, /**< nobody holds it */
+  PLP_GRIP_LIGHT = 1,    /**< fingers on a stylus: 200 N/m */
+  PLP_GRIP_FIRM = 2,     /**< 1,000 N/m */
+  PLP_GRIP_OWN = 3       /**< the numbers of plp_hand_options */
+} plp_grip;
+
+/** What a simulated hand does. */
+typedef enum plp_hand_script {
+  PLP_HAND_HOLD = 0,  /**< stays at the origin */
+  PLP_HAND_TAP = 1,   /**< in by the depth and out again, for ever */
+  PLP_HAND_PRESS = 2, /**< in by the depth, and stays there */
+  PLP_HAND_SLIDE = 3, /**< presses, then to and fro along the travel */
+  PLP_HAND_WEDGE = 4, /**< presses in by the depth while it sways to both sides */
+  PLP_HAND_CIRCLE = 5 /**< around the origin in the plane of both directions, without depth */
+} plp_hand_script;
+
+/** A hand as the handle feels it: its mass moves with the handle, a spring and a damper tie both to where the
+ * hand wants to be. Base frame of the device. */
+typedef struct plp_hand_options {
+  uint32_t struct_size;
+  int32_t grip;             /**< plp_grip */
+  int32_t script;           /**< plp_hand_script */
+  uint32_t buttons;         /**< held: bit i for button i */
+  double mass;              /**< kg, up to 100; these six are for PLP_GRIP_OWN only, and may be 0 */
+  double damping;           /**< N·s/m, up to 1e4 */
+  double stiffness;         /**< N/m, up to 1e5 */
+  double inertia;           /**< kg·m², up to 1 */
+  double angular_damping;   /**< N·m·s/rad, up to 100 */
+  double angular_stiffness; /**< N·m/rad, up to 1e3 */
+  plp_pose origin;          /**< of the motion, at its beginning */
+  double into[3];           /**< direction into the surface; need not have unit length */
+  double along[3];          /**< direction across `into` */
+  double depth;             /**< m along `into` */
+  double travel;            /**< m along `along`: stroke of a slide, half of a sway, radius of a circle */
+  double twist;             /**< rad about `into`, to both sides, with the same period */
+  double period;            /**< s of one tap, stroke, sway or turn, and of the first press; 1e-3 to 1e6 */
+} plp_hand_options;
+
+/** @brief Fills `options`: a light hand that holds the handle at the middle of the workspace; for a script:
+ * into -y, along x, 10 mm deep, 20 mm of travel, 1 s. @threadsafety any @since 0.1 */
+PLP_API void plp_hand_options_init(plp_hand_options* options);
+
+/** @brief Tells a simulated hand how to hold and what to do from the next tick on. The handle follows as its
+ * inertia lets it. Lengths are at most 10 m. @return PLP_ERROR_UNSUPPORTED for a device that no simulated
+ * hand holds; _INVALID_HANDLE, _INVALID_ARGUMENT or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_set_hand(plp_device device, const plp_hand_options* options);
+
+/** @brief Lets a simulated hand follow recorded poses, straight from one to the next, instead of a script.
+ *  @param times seconds, growing; the first is when the next tick begins. @param poses base frame; `count` of
+ * both, at least one; they are copied. @return as plp_device_set_hand. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_set_hand_poses(plp_device device, const double* times, const plp_pose* poses,
+                                             size_t count);
+
+/** @brief Moves the handle with the next tick, at once, to where the simulated hand then wants it: an armed
+ * device takes that for a jump of its pose. @return PLP_ERROR_UNSUPPORTED, _INVALID_HANDLE or _OUT_OF_MEMORY.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_place_in_hand(plp_device device);
+
+/** How a device's handle holds a scene's tool. Poses are in the scene's space, in which the axes of a device
+ * without a pose of its own point as Palpate's: its +y is the scene's up. */
+typedef struct plp_device_mapping {
+  uint32_t struct_size;
+  uint32_t flags;            /**< PLP_DEVICE_*; an unknown one is refused */
+  plp_pose scene_from_base;  /**< where the device stands in the scene */
+  plp_pose handle_from_tool; /**< how the tool's frame lies in the handle's */
+  double motion_scale;     /**< metres of the scene for a metre of the handle, 1e-9 to 1e9; turns are kept */
+  double force_scale;      /**< newtons on the hand for a newton on the tool, up to 1e9; torques are scaled by
+                              force_scale / motion_scale */
+  uint32_t clutch_buttons; /**< while all are held the handle moves without the tool; 0: no clutch */
+  uint32_t reserved;       /**< 0 */
+} plp_device_mapping;
+
+enum {
+  PLP_DEVICE_KEEP_TOOL_POSE = 1 /**< take the tool up where it is, rather than moving it into the hand */
+};
+
+/** @brief Fills `mapping`: base and scene are one, the tool's origin is the handle, nothing is scaled.
+ *  @threadsafety any @since 0.1 */
+PLP_API void plp_device_mapping_init(plp_device_mapping* mapping);
+
+/**
+ * @brief Gives the scene's tool to a device. From then on a step is a tick: the tool takes the
+ * handle's pose, contacts are found, the wrench goes through the limits to the hand, and the
+ * time step passes for a simulated device. The hand feels a stiffness of the scene's, of all springs
+ * together, times motion_scale × force_scale. The tool may be added and removed meanwhile; a pose that is set
+ * for it lasts while a clutch is held.
+ * @param device null to take the tool from its device, which then lets the hand go. The scene keeps it.
+ * @param mapping null for the defaults.
+ * @return PLP_ERROR_WRONG_STATE if another scene has the device; _INVALID_HANDLE or _INVALID_ARGUMENT.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_scene_set_device(plp_scene scene, plp_device device,
+                                        const plp_device_mapping* mapping);
 
 #ifdef __cplusplus
 }

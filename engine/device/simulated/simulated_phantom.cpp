@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "engine/device/rotation_vector.h"
@@ -27,6 +28,7 @@ SimulatedPhantom::SimulatedPhantom(const PhantomSpec& spec, int delay)
       body_(spec.handle, spec.limits.workspace),
       encoder_(spec.limits.position_resolution, spec.limits.angle_resolution),
       samples_(delay) {
+  if (delay > 0) info_.identity.uri += "?delay=" + std::to_string(delay);
   place_in_hand();
 }
 
@@ -46,9 +48,9 @@ void SimulatedPhantom::step(double dt) {
   samples_.push(current_state(encoder_.sample(body_.motion(), dt)));
 }
 
-void SimulatedPhantom::set_motion(std::shared_ptr<const HandMotion> motion) {
-  motion_ = std::move(motion);
+std::shared_ptr<const HandMotion> SimulatedPhantom::set_motion(std::shared_ptr<const HandMotion> motion) {
   motion_began_ = time_;
+  return std::exchange(motion_, std::move(motion));
 }
 
 void SimulatedPhantom::place_in_hand() {

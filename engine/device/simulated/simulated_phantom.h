@@ -32,8 +32,9 @@ class SimulatedPhantom final : public Device {
   void set_grip(Grip grip) { hand_ = impedance_of(grip); }
   void set_hand(const HandImpedance& hand) { hand_ = hand; }
 
-  // What the hand intends from now on. Without a motion it holds still at the middle of the workspace.
-  void set_motion(std::shared_ptr<const HandMotion> motion);
+  // What the hand intends from now on. Without a motion it holds still at the middle of the workspace. The
+  // motion before is given back, so that a servo need not destroy it.
+  std::shared_ptr<const HandMotion> set_motion(std::shared_ptr<const HandMotion> motion);
 
   // Moves the handle at once, and at rest, to where the hand intends to be now.
   void place_in_hand();

@@ -51,13 +51,13 @@ namespace Palpate.Tests
         {
             var options = new SceneOptions
             {
-                Cutoff = 0.1, Stiffness = 7, Mode = Mode.Descent, GlobalEvery = 3, MaxOverlaps = 5, Space = new Space(1, 3, -2, 0.01)
+                Cutoff = 0.1, Stiffness = 7, Mode = Mode.Descent, GlobalEvery = 3, MaxOverlaps = 5, Space = new Space(1, -3, 2, 0.01)
             };
             Assert.AreEqual(7.0, options.Stiffness);
             Assert.AreEqual(Mode.Descent, options.Mode);
             Assert.AreEqual(3U, options.GlobalEvery);
             Assert.AreEqual(5U, options.MaxOverlaps);
-            Assert.AreEqual(-2, options.Space.AxisZ);
+            Assert.AreEqual(2, options.Space.AxisZ);
             Assert.AreEqual(0.01, options.Space.MetresPerUnit);
             var body = new BodyOptions { Stiffness = 4, ReferencePoint = new Vector3d(1, 2, 3), Pose = new Pose(4, 5, 6) };
             Assert.AreEqual(4.0, body.Stiffness);
@@ -71,7 +71,7 @@ namespace Palpate.Tests
         {
             // Z up and centimetres: what lies above is along the third axis.
             using (Model box = Samples.Box())
-            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 20, Space = new Space(1, 3, -2, 0.01) }))
+            using (var scene = new Scene(new SceneOptions { Law = Law.Springs, Cutoff = 20, Space = new Space(1, -3, 2, 0.01) }))
             {
                 scene.Add(box);
                 scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(0, 0, 110) });

@@ -10,11 +10,12 @@ Units are metres, seconds, newtons and newton-metres; frames are right-handed; q
 """
 
 from . import _raw
-from ._errors import (BadFormat, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
+from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
                       LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported,
                       WrongState)
 from ._records import Records
 from .contacts import Contacts, Feature, Status, Work, Wrench
+from .device import Device, DeviceInfo, DeviceState, Grip, HandScript, Limiter, Safety, devices
 from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
@@ -30,9 +31,10 @@ def version() -> str:
 
 
 __all__ = [
-    "BadFormat", "Body", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError", "InvalidArgument",
-    "InvalidHandle", "Latency", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
-    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "ServoState",
-    "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "query",
+    "BadFormat", "Body", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature", "FileNotFound",
+    "FileReadError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle", "Latency",
+    "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
+    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene", "ServoState",
+    "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query",
     "set_log_callback", "shutdown_all", "version",
 ]

@@ -75,6 +75,12 @@ class WrongState(PalpateError):
     code = _raw.PLP_ERROR_WRONG_STATE
 
 
+class DeviceError(PalpateError):
+    """A device that cannot be opened."""
+
+    code = _raw.PLP_ERROR_DEVICE
+
+
 class InternalError(PalpateError):
     """A defect of the library."""
 
@@ -82,7 +88,8 @@ class InternalError(PalpateError):
 EXCEPTIONS: dict[int, type[PalpateError]] = {
     exception.code: exception
     for exception in (InvalidArgument, InvalidHandle, OutOfMemory, FileNotFound, FileReadError, BadFormat, Unsupported,
-                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, WrongState, InternalError)
+                      NoTriangles, NonFinite, LimitExceeded, UnsafePath, WrongState, DeviceError,
+                      InternalError)
 }
 
 

@@ -3,8 +3,8 @@
 Made from the header by bindings/gen/generate.py; do not edit."""
 
 from collections.abc import Callable
-from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint8, c_uint32,
-                    c_uint64, c_void_p)
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint8,
+                    c_uint32, c_uint64, c_void_p)
 from typing import Any
 
 from ._library import load
@@ -26,6 +26,7 @@ PLP_ERROR_NON_FINITE = -9
 PLP_ERROR_LIMIT = -10
 PLP_ERROR_UNSAFE_PATH = -11
 PLP_ERROR_WRONG_STATE = -12
+PLP_ERROR_DEVICE = -13
 PLP_ERROR_INTERNAL = -100
 
 PLP_LOG_ERROR = 0
@@ -66,6 +67,37 @@ PLP_MODE_CERTIFIED = 2
 PLP_BODY_STATIC = 0
 PLP_BODY_MOVING = 1
 PLP_BODY_TOOL = 2
+
+PLP_SAFETY_DISARMED = 0
+PLP_SAFETY_RAMPING = 1
+PLP_SAFETY_ARMED = 2
+PLP_SAFETY_FAULT = 3
+
+PLP_LIMITER_LONG_TICK = 0
+PLP_LIMITER_NON_FINITE_WRENCH = 1
+PLP_LIMITER_NON_FINITE_POSE = 2
+PLP_LIMITER_POSE_JUMP = 3
+PLP_LIMITER_STALE_SERVO = 4
+PLP_LIMITER_STALE_POSE = 5
+PLP_LIMITER_FORCE_CLAMP = 6
+PLP_LIMITER_TORQUE_CLAMP = 7
+PLP_LIMITER_FORCE_SLEW = 8
+PLP_LIMITER_TORQUE_SLEW = 9
+PLP_LIMITER_RAMP = 10
+
+PLP_GRIP_RELEASED = 0
+PLP_GRIP_LIGHT = 1
+PLP_GRIP_FIRM = 2
+PLP_GRIP_OWN = 3
+
+PLP_HAND_HOLD = 0
+PLP_HAND_TAP = 1
+PLP_HAND_PRESS = 2
+PLP_HAND_SLIDE = 3
+PLP_HAND_WEDGE = 4
+PLP_HAND_CIRCLE = 5
+
+PLP_DEVICE_KEEP_TOOL_POSE = 1
 
 plp_log_callback = CFUNCTYPE(None, c_int, c_char_p, c_void_p)
 
@@ -285,6 +317,101 @@ class plp_servo_state(Structure):
     ]
 
 
+class plp_device_info(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("buttons", c_uint32),
+        ("sensed", c_uint32),
+        ("actuated", c_uint32),
+        ("uri", c_char * 256),
+        ("name", c_char * 256),
+        ("serial", c_char * 64),
+        ("max_force", c_double),
+        ("continuous_force", c_double),
+        ("max_torque", c_double),
+        ("continuous_torque", c_double),
+        ("max_stiffness", c_double),
+        ("max_damping", c_double),
+        ("position_resolution", c_double),
+        ("angle_resolution", c_double),
+        ("update_rate", c_double),
+        ("workspace_min", c_double * 3),
+        ("workspace_max", c_double * 3),
+    ]
+
+
+class plp_device_state(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("buttons", c_uint32),
+        ("pose", plp_pose),
+        ("linear_velocity", c_double * 3),
+        ("angular_velocity", c_double * 3),
+        ("time", c_double),
+        ("sequence", c_uint64),
+        ("calibrated", c_int32),
+        ("safety", c_int32),
+        ("commanded", plp_wrench),
+        ("applied", plp_wrench),
+        ("gain", c_double),
+        ("limiters", c_uint32),
+        ("unactuated", c_int32),
+        ("ticks", c_uint64),
+        ("limiter_ticks", c_uint64 * 16),
+    ]
+
+
+class plp_safety_limits(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dead_man", c_uint32),
+        ("max_force", c_double),
+        ("max_torque", c_double),
+        ("force_slew", c_double),
+        ("torque_slew", c_double),
+        ("max_speed", c_double),
+        ("max_turn_rate", c_double),
+        ("watchdog", c_double),
+        ("ramp_time", c_double),
+        ("fault_hold", c_double),
+    ]
+
+
+class plp_hand_options(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("grip", c_int32),
+        ("script", c_int32),
+        ("buttons", c_uint32),
+        ("mass", c_double),
+        ("damping", c_double),
+        ("stiffness", c_double),
+        ("inertia", c_double),
+        ("angular_damping", c_double),
+        ("angular_stiffness", c_double),
+        ("origin", plp_pose),
+        ("into", c_double * 3),
+        ("along", c_double * 3),
+        ("depth", c_double),
+        ("travel", c_double),
+        ("twist", c_double),
+        ("period", c_double),
+    ]
+
+
+class plp_device_mapping(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("scene_from_base", plp_pose),
+        ("handle_from_tool", plp_pose),
+        ("motion_scale", c_double),
+        ("force_scale", c_double),
+        ("clutch_buttons", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
 # A handle is an opaque value of a pointer's size; ctypes gives a null one back as None.
 _handle = c_void_p
 _result = c_int32
@@ -354,3 +481,23 @@ plp_scene_stop = _function("plp_scene_stop", _result, _handle)
 plp_servo_state_init = _function("plp_servo_state_init", None, POINTER(plp_servo_state))
 plp_scene_get_servo = _function("plp_scene_get_servo", _result, _handle, POINTER(plp_servo_state))
 plp_shutdown_all = _function("plp_shutdown_all", _result)
+
+plp_device_info_init = _function("plp_device_info_init", None, POINTER(plp_device_info))
+plp_device_list = _function("plp_device_list", _result, POINTER(plp_device_info), c_size_t, POINTER(c_size_t))
+plp_device_open = _function("plp_device_open", _result, c_char_p, POINTER(_handle))
+plp_device_retain = _function("plp_device_retain", _result, _handle)
+plp_device_release = _function("plp_device_release", _result, _handle)
+plp_device_get_info = _function("plp_device_get_info", _result, _handle, POINTER(plp_device_info))
+plp_device_state_init = _function("plp_device_state_init", None, POINTER(plp_device_state))
+plp_device_get_state = _function("plp_device_get_state", _result, _handle, POINTER(plp_device_state))
+plp_device_arm = _function("plp_device_arm", _result, _handle)
+plp_device_disarm = _function("plp_device_disarm", _result, _handle)
+plp_safety_limits_init = _function("plp_safety_limits_init", None, POINTER(plp_safety_limits))
+plp_device_set_limits = _function("plp_device_set_limits", _result, _handle, POINTER(plp_safety_limits))
+plp_hand_options_init = _function("plp_hand_options_init", None, POINTER(plp_hand_options))
+plp_device_set_hand = _function("plp_device_set_hand", _result, _handle, POINTER(plp_hand_options))
+plp_device_set_hand_poses = _function("plp_device_set_hand_poses", _result, _handle, POINTER(c_double),
+                                      POINTER(plp_pose), c_size_t)
+plp_device_place_in_hand = _function("plp_device_place_in_hand", _result, _handle)
+plp_device_mapping_init = _function("plp_device_mapping_init", None, POINTER(plp_device_mapping))
+plp_scene_set_device = _function("plp_scene_set_device", _result, _handle, _handle, POINTER(plp_device_mapping))

@@ -9,6 +9,7 @@ from ._errors import InvalidArgument, InvalidHandle, check
 from ._native import Closing, Native, create
 from ._numbers import doubles, uint32
 from .contacts import Contacts, new_contacts_struct
+from .device import Device, device_mapping
 from .law import Law, law_number
 from .model import Model
 from .pose import Pose, PoseLike, pose_of, pose_struct
@@ -206,6 +207,17 @@ class Scene(Closing):
         struct = new_contacts_struct()
         check(_raw.plp_scene_get_contacts(native.value, struct))
         return Contacts(struct, native)
+
+    def set_device(self, device: Device | None, *, scene_from_base: PoseLike = Pose(),
+                   handle_from_tool: PoseLike = Pose(), motion_scale: float = 1.0, force_scale: float = 1.0,
+                   clutch_buttons: int = 0, keep_tool_pose: bool = False) -> None:
+        """Gives the tool to a device, whose hand feels it in every step from then on; None takes it away. The poses are in
+        the scene's space: where the device stands, and how the tool lies in its handle. `motion_scale`: metres of the
+        scene for one of the handle; `force_scale`: newtons on the hand for one on the tool. While all `clutch_buttons`
+        are held the handle moves without the tool. `keep_tool_pose` takes the tool up where it is."""
+        mapping = device_mapping(scene_from_base, handle_from_tool, motion_scale, force_scale, clutch_buttons,
+                                 keep_tool_pose)
+        check(_raw.plp_scene_set_device(self._handle, device._handle if device is not None else None, mapping))
 
     def start(self, rate: float = 1000.0, *, priority: int | None = 0, cpu: int | None = None) -> None:
         """Starts a servo: a native thread that steps the scene `rate` times a second, and another that searches beside

@@ -11,7 +11,7 @@ from ._numbers import int32
 @dataclass(frozen=True)
 class Space:
     """The space of poses, points and wrenches. `axes[i]` says along which Palpate axis the i-th axis points: ±1, ±2 or
-    ±3 for ±x, ±y or ±z, each once. Palpate's own is (1, 2, 3), right-handed with +y up as glTF; (1, 3, -2) has z up
+    ±3 for ±x, ±y or ±z, each once. Palpate's own is (1, 2, 3), right-handed with +y up as glTF; (1, -3, 2) has z up
     (Blender, Panda3D). Forces stay in newtons and torques in newton-metres."""
 
     axes: tuple[int, int, int] = (1, 2, 3)

@@ -1,0 +1,51 @@
+#include "engine/runtime/haptic_loop.h"
+
+#include <utility>
+
+#include "engine/device/finite.h"
+
+namespace palpate {
+
+bool HapticLoop::attach(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
+  if (device != device_ && !device->claim()) return false;
+  exchange(std::move(device), mapping);
+  return true;
+}
+
+std::shared_ptr<GuardedDevice> HapticLoop::exchange(std::shared_ptr<GuardedDevice> device,
+                                                    const DeviceMapping& mapping) {
+  grip_ = ToolGrip(mapping);
+  wanted_ = {};
+  if (device_ && device != device_) {
+    device_->let_go();
+    device_->give_up();
+  }
+  return std::exchange(device_, std::move(device));
+}
+
+void HapticLoop::tick(double dt) {
+  if (!device_) return scene_.step(dt);
+  move_tool(device_->read());
+  try {
+    scene_.step(dt);
+  } catch (...) {
+    device_->write(wanted_, false, dt);
+    throw;
+  }
+  wanted_ = felt();
+  device_->write(wanted_, true, dt);
+}
+
+// A pose that is none moves nothing; the limits see it, too.
+void HapticLoop::move_tool(const DeviceState& state) {
+  const Body* tool = scene_.find(scene_.tool());
+  if (tool && is_finite(state)) scene_.set_pose(scene_.tool(), grip_.follow(state, tool->pose()));
+}
+
+DeviceWrench HapticLoop::felt() const {
+  const Body* tool = scene_.find(scene_.tool());
+  if (!tool) return {};
+  return grip_.on_hand(scene_.contacts().wrench, tool->pose() * tool->options().reference_point);
+}
+
+}  // namespace palpate
