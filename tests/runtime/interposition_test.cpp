@@ -196,7 +196,9 @@ TEST(ServoPathInHand, NeitherAllocatesNorLocksNorBlocks) {
     wait_for_ticks(threads, 150);
     pushed += device->status().wanted.force.y > 0.0;
     EXPECT_TRUE(scene.pose_of(tool).has_value());
-    if (i % 2 == 1) EXPECT_TRUE(scene.set_device(nullptr, {}).ok());
+    if (i % 2 == 1) {
+      EXPECT_TRUE(scene.set_device(nullptr, {}).ok());
+    }
   }
   threads.stop();
   EXPECT_GT(pushed, 4u);
