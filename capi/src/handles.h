@@ -9,6 +9,7 @@
 #include "capi/src/errors.h"
 #include "capi/src/space.h"
 #include "engine/exchange/handle_table.h"
+#include "engine/runtime/worker_pool.h"
 #include "engine/scene/query.h"
 #include "engine/scene/scene.h"
 
@@ -28,6 +29,7 @@ struct SceneObject {
   SceneObject(const Space& its_space, const SceneOptions& options) : space(its_space), scene(options) {}
 
   Space space;
+  std::unique_ptr<WorkerPool> workers;  // null: the caller's thread alone; outlives the scene
   Scene scene;
   ContactArrays arrays;
 };

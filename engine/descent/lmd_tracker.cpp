@@ -52,6 +52,15 @@ struct LmdTracker::Tick {
 
 void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
   remember(a, b, searched);
+  sort_seeds();
+}
+
+void LmdTracker::adopt(std::span<const TrianglePair> seeds) {
+  seeds_.insert(seeds_.end(), seeds.begin(), seeds.end());
+  sort_seeds();
+}
+
+void LmdTracker::sort_seeds() {
   std::sort(seeds_.begin(), seeds_.end());
   seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
 }

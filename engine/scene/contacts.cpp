@@ -62,6 +62,7 @@ void ContactWork::add(const PairWork& pair) {
   coherence.descent_steps += pair.descent_steps;
   coherence.front_entries += pair.front_entries;
   coherence.front_expired += pair.front_expired;
+  coherence.rebuilds += pair.rebuilds;
   coherence.age = std::max(coherence.age, pair.age);
   coherence.global_us += pair.global_us;
 }
@@ -75,6 +76,7 @@ void Contacts::clear() {
   min_distance = std::numeric_limits<double>::infinity();
   wrench = {};
   work = {};
+  status = 0;
   search_us = 0.0;
 }
 

@@ -53,6 +53,11 @@ struct ContactWork {
   void add(const PairWork& pair);
 };
 
+// What is not as it should be, in bits.
+enum ContactStatus : std::uint32_t {
+  kStatusByDescent = 1,  // the budget of a step ran out, and descent completed it
+};
+
 // All that the tool meets at one moment.
 struct Contacts {
   std::vector<Contact> lmds;  // ordered by set
@@ -63,6 +68,7 @@ struct Contacts {
   double min_distance = std::numeric_limits<double>::infinity();
   Wrench wrench;  // on the tool about its reference point
   ContactWork work;
+  std::uint32_t status = 0;  // of ContactStatus
   double search_us = 0.0;
 
   void clear();  // keeps the memory

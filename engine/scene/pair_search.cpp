@@ -17,10 +17,22 @@ bool same(const PairSituation& a, const PairSituation& b) {
          a.max_overlaps == b.max_overlaps && a.mode == b.mode;
 }
 
+void sort_overlaps(std::size_t most, LmdSet& found) {
+  std::vector<TrianglePair>& overlaps = found.overlaps;
+  std::sort(overlaps.begin(), overlaps.end());
+  overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
+  found.overlaps_cut |= overlaps.size() > most;
+  overlaps.resize(std::min(overlaps.size(), most));
+}
+
 }  // namespace
 
+bool PairSearch::needs_search(const PairSituation& situation) const {
+  return !known_ || by_descent_ || !same(situation, situation_);
+}
+
 void PairSearch::forget() {
-  known_ = false;
+  known_ = by_descent_ = after_plateau_ = false;
   front_.forget();
   tracker_.forget();
   odometer_.reset();
@@ -30,7 +42,7 @@ void PairSearch::forget() {
 
 void PairSearch::update(const Model& body, const Model& tool, const PairSituation& situation,
                         LmdSearch& search) {
-  searched_ = !known_ || !same(situation, situation_);
+  searched_ = needs_search(situation);
   work_ = {};
   if (!searched_) return;
   if (known_ && situation.mode != situation_.mode) forget();
@@ -38,9 +50,10 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   SearchOptions options;
   options.cutoff = situation.cutoff;
   options.max_overlaps = situation.max_overlaps;
-  if (known_ && found_.has_plateau()) options.parallel_tolerance *= kPlateauHysteresis;
+  if (after_plateau_) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
+  by_descent_ = false;
   situation_ = situation;
   switch (situation.mode) {
     case SearchMode::kGlobal:
@@ -54,6 +67,8 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
       break;
   }
   known_ = true;
+  // A part of a set decides nothing: a front whose tolerance changes starts afresh.
+  if (!by_descent_) after_plateau_ = found_.has_plateau();
 }
 
 void PairSearch::search_all(const Model& body, const Model& tool, const SearchOptions& options,
@@ -64,9 +79,31 @@ void PairSearch::search_all(const Model& body, const Model& tool, const SearchOp
 }
 
 void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOptions& options) {
-  front_.update(body, tool, situation_.body_from_tool, options, found_);
+  std::swap(last_, found_);
+  front_.update(body, tool, situation_.body_from_tool, options, found_, situation_.budget);
   work_.front_entries = front_.work().entries;
   work_.front_expired = front_.work().expired;
+  work_.rebuilds = front_.work().rebuilt;
+  by_descent_ = !front_.complete();
+  if (by_descent_) finish_by_descent(body, tool, options);
+}
+
+// What the front had no budget to find again comes by descent from the LMDs and overlaps of the last step.
+// Those it found are followed, too: they stand still, and a plateau found in part is explored.
+void PairSearch::finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options) {
+  tracker_.forget();
+  tracker_.adopt(body.mesh(), tool.mesh(), last_);
+  tracker_.adopt(body.mesh(), tool.mesh(), found_);
+  tracker_.adopt(last_.overlaps);
+  std::swap(last_, found_);
+  tracker_.follow(body.mesh(), tool.mesh(), situation_.body_from_tool, options, options.cutoff, found_);
+  found_.overlaps.insert(found_.overlaps.end(), last_.overlaps.begin(), last_.overlaps.end());
+  sort_overlaps(options.max_overlaps, found_);
+  found_.overlaps_cut |= last_.overlaps_cut;
+  found_.work.node_pairs += last_.work.node_pairs;
+  found_.work.triangle_pairs += last_.work.triangle_pairs;
+  work_.descents = tracker_.work().descents;
+  work_.descent_steps = tracker_.work().steps;
 }
 
 // Descent meets overlaps only where an LMD ends in one, so that it

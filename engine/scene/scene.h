@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/body_table.h"
+#include "engine/scene/executor.h"
 
 namespace palpate {
 
@@ -11,6 +12,7 @@ struct SceneOptions {
   std::size_t max_overlaps = 1024;
   SearchMode mode = SearchMode::kCertified;
   unsigned global_every = 10;  // steps, positive
+  unsigned tick_budget = 0;    // tests of pairs in a certified step; 0: no limit
 };
 
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
@@ -30,18 +32,35 @@ class Scene {
   const Body* find(BodyId id) const { return bodies_.find(id); }
   bool set_pose(BodyId id, const Pose& pose);  // false: no such body
 
+  // Who runs the searches of a step; null, as in the beginning: the caller's thread alone. Must live as long
+  // as the scene. The outcome does not depend on it.
+  void set_executor(Executor* executor);
+
   // Searches the tool against every body within reach. If it throws, contacts() is what it was.
   void step();
   const Contacts& contacts() const { return contacts_; }
 
  private:
   void forget_searches();
-  void touch(BodyId id, Body& body, const Body& tool);
+  // A body within reach of the tool.
+  struct NearBody {
+    BodyId id;
+    Body* body;
+    PairSituation situation;
+  };
+  class Searches;
+
+  void find_near_bodies(const Body& tool);
+  void share_budget();
+  void search_near_bodies(const Body& tool);
+  void collect(const NearBody& near, const Body& tool);
 
   SceneOptions options_;
   BodyTable bodies_;
   BodyId tool_ = 0;
-  LmdSearch search_;
+  Executor* executor_ = nullptr;
+  std::vector<LmdSearch> searches_ = std::vector<LmdSearch>(1);  // by worker
+  std::vector<NearBody> near_;                                   // in the order of slots
   Contacts contacts_;
   Contacts next_;
 };

@@ -350,7 +350,7 @@ TEST_F(Misuse, EveryInputStructHasItsSizeChecked) {
   triangles.struct_size += 1;
   model_options.struct_size -= 1;
   expect_refused(plp_model_create_from_triangles(&triangles, &model_options, &model), "options->struct_size");
-  scene_options.struct_size -= 1;
+  scene_options.struct_size = 55;
   expect_refused(plp_scene_create(&scene_options, &scene), "options->struct_size");
   placed.struct_size -= 1;
   expect_refused(add(placed), "options->struct_size");
@@ -372,7 +372,7 @@ TEST_F(Misuse, OutputStructSizes) {
   EXPECT_EQ(longer.tail[0], 0xab);
   plp_contacts contacts;
   plp_contacts_init(&contacts);
-  contacts.struct_size -= 1;
+  contacts.struct_size = 215;
   expect_refused(plp_query_result_get(query_.handle, &contacts), "struct_size");
   expect_refused(plp_scene_get_contacts(scene_.handle, &contacts), "struct_size");
 }

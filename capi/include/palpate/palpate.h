@@ -337,7 +337,14 @@ typedef struct plp_work {
   uint64_t front_expired;  /**< PLP_MODE_CERTIFIED: of those, renewed in this step */
   uint64_t age;            /**< steps since the search that the LMDs come from */
   double global_us;        /**< time of searches from scratch in this step */
+  uint64_t rebuilds;       /**< PLP_MODE_CERTIFIED: of the node pairs, those tested to renew what is kept */
 } plp_work;
+
+/** What is not as it should be with an outcome: bits of plp_contacts::status. */
+enum {
+  PLP_STATUS_BY_DESCENT = 1 /**< plp_scene_options::tick_budget ran out: local descent from the last step
+                               completed the set, which may lack new LMDs; all that it has are LMDs */
+};
 
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
 typedef struct plp_contacts {
@@ -357,6 +364,8 @@ typedef struct plp_contacts {
   plp_wrench wrench;
   double search_us;
   plp_work work;
+  uint32_t status; /**< PLP_STATUS_* bits; 0: all well */
+  uint32_t reserved2;
 } plp_contacts;
 
 /** @brief Fills `contacts` with zeros and its size. @threadsafety any @since 0.1 */
@@ -427,6 +436,11 @@ typedef struct plp_scene_options {
   double stiffness;      /**< N/m, not negative */
   int32_t mode;          /**< plp_mode */
   uint32_t global_every; /**< PLP_MODE_DESCENT: steps from one search to the next; 0 for 10 */
+  uint32_t threads;      /**< of plp_scene_step, with the caller's, at most 256; 0 and 1: the caller's alone.
+                            The outcome does not depend on it, but with more the step blocks and locks. */
+  uint32_t tick_budget; /**< PLP_MODE_CERTIFIED: at most so many tests of pairs of nodes and of triangles in a
+                           step, shared equally by the bodies searched, at least 128 each; then descent. What
+                           is left comes first in the next step, also if nothing moves. 0: no limit */
 } plp_scene_options;
 
 /** @brief Fills `options`: Palpate's space, no cutoff yet, 1000 N/m, up to 1024 overlaps.

@@ -13,7 +13,7 @@ from . import _raw
 from ._errors import (BadFormat, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
                       LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported)
 from ._records import Records
-from .contacts import Contacts, Feature, Work, Wrench
+from .contacts import Contacts, Feature, Status, Work, Wrench
 from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
@@ -31,5 +31,5 @@ __all__ = [
     "BadFormat", "Body", "Contacts", "Feature", "FileNotFound", "FileReadError", "InternalError",
     "InvalidArgument", "InvalidHandle", "LimitExceeded", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
     "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Scene", "Space",
-    "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "query", "set_log_callback", "version",
+    "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "query", "set_log_callback", "version",
 ]

@@ -51,6 +51,7 @@ PLP_BODY_TOOL = 2
 PLP_MODE_GLOBAL = 0
 PLP_MODE_DESCENT = 1
 PLP_MODE_CERTIFIED = 2
+PLP_STATUS_BY_DESCENT = 1
 
 plp_log_callback = CFUNCTYPE(None, c_int, c_char_p, c_void_p)
 
@@ -168,6 +169,7 @@ class plp_work(Structure):
         ("front_expired", c_uint64),
         ("age", c_uint64),
         ("global_us", c_double),
+        ("rebuilds", c_uint64),
     ]
 
 
@@ -188,6 +190,8 @@ class plp_contacts(Structure):
         ("wrench", plp_wrench),
         ("search_us", c_double),
         ("work", plp_work),
+        ("status", c_uint32),
+        ("reserved2", c_uint32),
     ]
 
 
@@ -210,6 +214,8 @@ class plp_scene_options(Structure):
         ("stiffness", c_double),
         ("mode", c_int32),
         ("global_every", c_uint32),
+        ("threads", c_uint32),
+        ("tick_budget", c_uint32),
     ]
 
 

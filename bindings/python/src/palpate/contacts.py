@@ -18,6 +18,13 @@ class Feature(enum.IntEnum):
     VERTEX = _raw.PLP_FEATURE_VERTEX
 
 
+class Status(enum.IntFlag):
+    """What is not as it should be with an outcome."""
+
+    BY_DESCENT = _raw.PLP_STATUS_BY_DESCENT
+    """The tick budget ran out: local descent completed the set, which may lack new contacts."""
+
+
 class Wrench(NamedTuple):
     """A force in newtons and a torque in newton-metres."""
 
@@ -38,6 +45,7 @@ class Work(NamedTuple):
     front_expired: int
     age: int
     global_us: float
+    rebuilds: int
 
 
 class _Copy:
@@ -98,6 +106,11 @@ class Contacts:
     def wrench(self) -> Wrench:
         wrench = self._struct.wrench
         return Wrench(tuple(wrench.force), tuple(wrench.torque))
+
+    @property
+    def status(self) -> Status:
+        """Zero if all is well."""
+        return Status(self._struct.status)
 
     @property
     def search_us(self) -> float:

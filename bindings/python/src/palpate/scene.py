@@ -60,10 +60,12 @@ class Scene(Closing):
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
                  mode: Mode = "certified",
-                 global_every: int = 10, max_overlaps: int = 1024) -> None:
+                 global_every: int = 10, max_overlaps: int = 1024, threads: int = 1, tick_budget: int = 0) -> None:
         """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own.
         `mode`: "global" searches from scratch in every step; "certified" keeps the complete set up to date; "descent"
-        follows what a search found, repeated after `global_every` steps, and learns of new contacts late."""
+        follows what a search found, repeated after `global_every` steps, and learns of new contacts late.
+        `threads` share the searches of a step, whose outcome does not depend on it. `tick_budget`: when "certified", at
+        most so many tests in a step, which descent then completes; 0: no limit."""
         options = _raw.plp_scene_options()
         _raw.plp_scene_options_init(options)
         options.cutoff = cutoff
@@ -71,6 +73,8 @@ class Scene(Closing):
         options.max_overlaps = uint32(max_overlaps, "max_overlaps")
         options.mode = _mode(mode)
         options.global_every = uint32(global_every, "global_every")
+        options.threads = uint32(threads, "threads")
+        options.tick_budget = uint32(tick_budget, "tick_budget")
         if space is not None:
             options.space = space_struct(space)
         super().__init__(create(_raw.plp_scene_create, _raw.plp_scene_release, options))
