@@ -35,11 +35,13 @@ plp_overlap overlap_of(const BodyOverlap& overlap) {
   return {overlap.body_a, overlap.body_b, overlap.triangles.a, overlap.triangles.b};
 }
 
+static_assert(static_cast<int>(kStatusByDescent) == PLP_STATUS_BY_DESCENT);
+
 plp_work work_of(const ContactWork& work) {
   const PairWork& coherence = work.coherence;
   return {work.bodies,        work.body_pairs,         work.search.node_pairs,  work.search.triangle_pairs,
           coherence.descents, coherence.descent_steps, coherence.front_entries, coherence.front_expired,
-          coherence.age,      coherence.global_us};
+          coherence.age,      coherence.global_us,     coherence.rebuilds};
 }
 
 }  // namespace

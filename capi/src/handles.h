@@ -11,6 +11,7 @@
 #include "engine/device/guarded_device.h"
 #include "engine/exchange/handle_table.h"
 #include "engine/runtime/scene_threads.h"
+#include "engine/runtime/worker_pool.h"
 #include "engine/scene/query.h"
 
 namespace palpate::capi {
@@ -30,6 +31,7 @@ struct SceneObject {
       : space(its_space), scene(options), threads(scene) {}
 
   Space space;
+  std::unique_ptr<WorkerPool> workers;  // null: the caller's thread alone; outlives the scene
   LiveScene scene;
   ContactArrays arrays;
   SceneThreads threads;  // end first

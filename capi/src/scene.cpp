@@ -1,3 +1,5 @@
+#include <system_error>
+
 #include "capi/src/handles.h"
 #include "capi/src/law.h"
 #include "capi/src/numbers.h"
@@ -54,6 +56,16 @@ BodyOptions body_in(const plp_body_options& options, const Space& space) {
   return body;
 }
 
+void employ_workers(std::uint32_t threads, SceneObject& object) {
+  if (threads <= 1) return;
+  try {
+    object.workers = std::make_unique<WorkerPool>(threads);
+  } catch (const std::system_error&) {
+    refuse(ErrorCode::kLimit, "the system has no more threads");
+  }
+  object.scene.set_executor(object.workers.get());
+}
+
 std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   const Space space(options.space, "options->space");
   SceneOptions scene;
@@ -68,7 +80,11 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.friction = checked_not_negative(options.friction, "options->friction");
   scene.fade_time = checked_not_negative(options.fade_time, "options->fade_time");
   if (options.time_step != 0.0) scene.time_step = time_step_of(options.time_step);
-  return std::make_unique<SceneObject>(space, scene);
+  scene.tick_budget = options.tick_budget;
+  require(options.threads <= WorkerPool::kMostThreads, "options->threads is more than 256");
+  auto object = std::make_unique<SceneObject>(space, scene);
+  employ_workers(options.threads, *object);
+  return object;
 }
 
 HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {

@@ -77,6 +77,21 @@ bool LmdTracker::has_room_for_test() const {
 
 void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
   remember(a, b, searched);
+  sort_seeds();
+}
+
+void LmdTracker::adopt(std::span<const TrianglePair> seeds) {
+  for (const TrianglePair& seed : seeds) {
+    if (fixed_ && !has_room(seeds_, 1)) {
+      overflowed_ = true;
+      break;
+    }
+    seeds_.emplace_back(seed);
+  }
+  sort_seeds();
+}
+
+void LmdTracker::sort_seeds() {
   std::sort(seeds_.begin(), seeds_.end());
   seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/descent/descent_pair.h"
@@ -25,6 +26,9 @@ class LmdTracker {
   // Adds the LMDs of a search to those that are followed.
   void adopt(const Mesh& a, const Mesh& b, const LmdSet& searched);
 
+  // Adds what may be reached from pairs of triangles, which may touch.
+  void adopt(std::span<const TrianglePair> seeds);
+
   // Brings all to a new pose and goes on following those within options.cutoff. `found` receives those within
   // `cutoff` (metres), which is no larger, and its work the pairs measured.
   void follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, const SearchOptions& options, double cutoff,
@@ -49,6 +53,7 @@ class LmdTracker {
   bool descend(const DescentPair& pair, DescentPoint& point);
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
   void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found);
+  void sort_seeds();
   void remember(const Mesh& a, const Mesh& b, const LmdSet& found);
 
   DescentForm form_;

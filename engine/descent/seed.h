@@ -21,6 +21,10 @@ struct Seed {
         at_a(place_of(a, lmd.feature_a, triangles.a)),
         at_b(place_of(b, lmd.feature_b, triangles.b)) {}
 
+  // From where nothing is known but the triangles.
+  explicit Seed(TrianglePair pair)
+      : triangles(pair), at_a{TrianglePlace::kFace}, at_b{TrianglePlace::kFace} {}
+
   friend auto operator<=>(const Seed&, const Seed&) = default;
 
  private:

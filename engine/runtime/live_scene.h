@@ -40,6 +40,9 @@ class LiveScene : public ServoTask {
   void set_law(ForceLaw law);
   void set_mode(SearchMode mode);
 
+  // As Scene's; only while it is not live.
+  void set_executor(Executor* executor) { scene_.set_executor(executor); }
+
   // Gives the tool to a device, whose hand feels it from then on; null takes it away. Errors: kWrongState
   // (another scene has the device).
   Status set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping);

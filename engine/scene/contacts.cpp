@@ -48,6 +48,7 @@ void ContactWork::add(const PairWork& pair) {
   coherence.descent_steps += pair.descent_steps;
   coherence.front_entries += pair.front_entries;
   coherence.front_expired += pair.front_expired;
+  coherence.rebuilds += pair.rebuilds;
   coherence.age = std::max(coherence.age, pair.age);
   coherence.global_us += pair.global_us;
 }

@@ -58,9 +58,10 @@ struct ContactWork {
 
 // What is not as it should be, in bits.
 enum ContactStatus : std::uint32_t {
-  kStatusCut = 2,      // more than there was room for
-  kStatusWaiting = 4,  // a near model is still being prepared
-  kStatusWall = 8,     // surfaces overlap and walls hold the tool
+  kStatusByDescent = 1,  // the budget of a step ran out, and descent completed it
+  kStatusCut = 2,        // more than there was room for
+  kStatusWaiting = 4,    // a near model is still being prepared
+  kStatusWall = 8,       // surfaces overlap and walls hold the tool
 };
 
 // All that the tool meets at one moment.

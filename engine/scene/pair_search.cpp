@@ -20,8 +20,12 @@ bool same(const PairSituation& a, const PairSituation& b) {
 
 }  // namespace
 
+bool PairSearch::needs_search(const PairSituation& situation) const {
+  return !known_ || by_descent_ || !same(situation, situation_);
+}
+
 void PairSearch::forget() {
-  known_ = plateau_ = lost_ = false;
+  known_ = plateau_ = lost_ = by_descent_ = false;
   front_.forget();
   tracker_.forget();
   odometer_.reset();
@@ -69,7 +73,7 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
                         LmdSearch& search) {
   const SearchService::Searched* const news =
       service_ && situation.mode == SearchMode::kDescent ? service_->newest() : nullptr;
-  searched_ = !known_ || news || !same(situation, situation_);
+  searched_ = news || needs_search(situation);
   work_ = {};
   if (!searched_) return;
   if (known_ && situation.mode != situation_.mode) change_mode();
@@ -81,7 +85,7 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   if (plateau_) options.parallel_tolerance *= kPlateauHysteresis;
 
   known_ = false;  // should the search throw, nothing half-done is reused
-  plateau_ = false;
+  by_descent_ = false;
   situation_ = situation;
   if (news) adopt(body, tool, *news);
   switch (situation.mode) {
@@ -96,7 +100,8 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
       break;
   }
   known_ = true;
-  plateau_ = found_.has_plateau();
+  // A part of a set decides nothing: a front whose tolerance changes starts afresh.
+  if (!by_descent_) plateau_ = found_.has_plateau();
 }
 
 // What the other modes know is stale. Yet a service may have nothing new to say of models that stand still.
@@ -114,23 +119,39 @@ void PairSearch::search_all(const Model& body, const Model& tool, const SearchOp
 }
 
 void PairSearch::keep_front(const Model& body, const Model& tool, const SearchOptions& options) {
-  if (lost_) return finish_by_descent(body, tool, options);
-  front_.update(body, tool, situation_.body_from_tool, options, next_);
-  work_.front_entries = front_.work().entries;
-  work_.front_expired = front_.work().expired;
-  if (service_ && front_.tight()) service_->want_room();
-  if (!next_.cut) return std::swap(found_, next_);
-  lost_ = true;
-  tracker_.forget();
-  tracker_.adopt(body.mesh(), tool.mesh(), found_);
+  if (!lost_) {
+    front_.update(body, tool, situation_.body_from_tool, options, next_, situation_.budget);
+    work_.front_entries = front_.work().entries;
+    work_.front_expired = front_.work().expired;
+    work_.rebuilds = front_.work().rebuilt;
+    if (service_ && front_.tight()) service_->want_room();
+    lost_ = next_.cut;
+    if (!lost_ && front_.complete()) return std::swap(found_, next_);
+  } else {
+    next_.clear();
+  }
   finish_by_descent(body, tool, options);
-}
-
-// What a front without room would have kept up to date.
-void PairSearch::finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options) {
-  follow(body, tool, options, options.cutoff);
+  by_descent_ = !lost_;
+  if (!lost_) return;
   found_.cut = true;
   service_->want_room();
+}
+
+// What the front had no budget to find again, or no room for, comes by descent from the LMDs and overlaps of
+// the last step. Those it found are followed, too: they stand still, and a plateau found in part is explored.
+void PairSearch::finish_by_descent(const Model& body, const Model& tool, const SearchOptions& options) {
+  tracker_.forget();
+  tracker_.adopt(body.mesh(), tool.mesh(), found_);
+  tracker_.adopt(body.mesh(), tool.mesh(), next_);
+  tracker_.adopt(found_.overlaps);
+  follow(body, tool, options, options.cutoff);
+  for (const TrianglePair& pair : next_.overlaps)
+    if (std::find(found_.overlaps.begin(), found_.overlaps.end(), pair) == found_.overlaps.end())
+      found_.add_overlap(pair, options.max_overlaps);
+  std::sort(found_.overlaps.begin(), found_.overlaps.end());
+  found_.overlaps_cut |= next_.overlaps_cut;
+  found_.work.node_pairs += next_.work.node_pairs;
+  found_.work.triangle_pairs += next_.work.triangle_pairs;
   work_.descents = tracker_.work().descents;
   work_.descent_steps = tracker_.work().steps;
 }

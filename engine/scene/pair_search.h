@@ -39,9 +39,10 @@ struct PairSituation {
   double cutoff = 0.0;  // metres
   std::size_t max_overlaps = 0;
   SearchMode mode = SearchMode::kGlobal;
-  unsigned global_every = 10;  // steps from one search to the next while descending
-  std::uint64_t step = 0;      // counts steps
-  bool near_minima = false;    // ask for them, too
+  unsigned global_every = 10;                      // steps from one search to the next while descending
+  std::uint64_t step = 0;                          // counts steps
+  bool near_minima = false;                        // ask for them, too
+  std::uint64_t budget = KineticFront::kNoBudget;  // tests of a certified step, which descent then completes
 };
 
 // Work of one update beyond that of its LmdSet.
@@ -50,8 +51,9 @@ struct PairWork {
   std::uint64_t descent_steps = 0;
   std::uint64_t front_entries = 0;
   std::uint64_t front_expired = 0;
-  unsigned age = 0;        // steps since the search that the LMDs come from
-  double global_us = 0.0;  // of a search from scratch in this step
+  std::uint64_t rebuilds = 0;  // pairs of nodes tested to renew the front
+  unsigned age = 0;            // steps since the search that the LMDs come from
+  double global_us = 0.0;      // of a search from scratch in this step
 };
 
 // The LMDs between one body and the tool, from step to step: looked for again only when the situation has
@@ -61,6 +63,9 @@ class PairSearch {
  public:
   // Brings found() up to date; `search` lends its memory.
   void update(const Model& body, const Model& tool, const PairSituation& situation, LmdSearch& search);
+
+  // Whether an update would search, rather than reuse what is found.
+  bool needs_search(const PairSituation& situation) const;
 
   // The pair is out of reach, or one of its models is another.
   void forget();
@@ -83,7 +88,8 @@ class PairSearch {
   void retire();
 
   const LmdSet& found() const { return found_; }
-  bool searched() const { return searched_; }  // by the last update, rather than reused
+  bool searched() const { return searched_; }      // by the last update, rather than reused
+  bool by_descent() const { return by_descent_; }  // found() is of a budget that ran out: it may miss some
   const PairWork& work() const { return work_; }
 
  private:
@@ -99,7 +105,8 @@ class PairSearch {
 
   bool known_ = false;  // found_ is complete for situation_
   bool searched_ = false;
-  bool plateau_ = false;  // found_ has one
+  bool plateau_ = false;     // the last complete set had one
+  bool by_descent_ = false;  // found_ is of a budget that ran out
   PairSituation situation_;
   LmdSet found_;
   PairWork work_;

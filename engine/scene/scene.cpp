@@ -38,7 +38,8 @@ Body* Scene::body_against(BodyId tool, BodyId id) {
 }
 
 void Scene::fix() {
-  search_.fix(Room{});
+  searches_.front().fix(Room{});
+  near_.reserve(kMostNear);
   forces_.reserve(kMostListed.springs);
   law_springs_.reserve(kNearRoom);
   for (Contacts* contacts : {&contacts_, &next_}) contacts->fix(kMostListed);
@@ -47,7 +48,7 @@ void Scene::fix() {
 
 void Scene::unfix() {
   fixed_ = false;
-  search_.unfix();
+  searches_.front().unfix();
   for (Contacts* contacts : {&contacts_, &next_}) contacts->unfix();
   bodies_.for_each([](BodyId, Body& body) { body.against_tool.unfix(); });
 }
@@ -65,9 +66,10 @@ void Scene::step(double dt) {
   time_step_ = dt;
   next_.step = ++steps_;
   if (const Body* tool = bodies_.find(tool_)) {
-    bodies_.for_each([&](BodyId id, Body& body) {
-      if (id != tool_) touch(id, body, *tool);
-    });
+    find_near_bodies(*tool);
+    share_budget();
+    search_near_bodies(*tool);
+    for (const NearBody& near : near_) collect(near, *tool);
     forces_.finish(options_.stiffness_cap, tool->pose() * tool->options().reference_point, next_);
   }
   next_.search_us = watch.elapsed_us();
@@ -87,48 +89,92 @@ void Scene::lose_tool() {
   });
 }
 
-void Scene::touch(BodyId id, Body& body, const Body& tool) {
+void Scene::set_executor(Executor* executor) {
+  executor_ = executor;
+  if (executor && executor->workers() > searches_.size())
+    searches_ = std::vector<LmdSearch>(executor->workers());
+}
+
+void Scene::find_near_bodies(const Body& tool) {
+  near_.clear();
+  bodies_.for_each([&](BodyId id, Body& body) {
+    if (id != tool_) look_at(id, body, tool);
+  });
+}
+
+void Scene::look_at(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
-  PairSearch& pair = body.against_tool;
-  if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) {
-    body.leave();
-    return;
-  }
+  if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) return body.leave();
   body.is_near = true;
-  if (fixed_ && !pair.ready()) {
-    next_.status |= kStatusWaiting;
-    body.springs.forget();
-    return;
+  const bool ready = !fixed_ || body.against_tool.ready();
+  if (!ready || (fixed_ && !has_room(near_, 1))) {
+    next_.status |= ready ? kStatusCut : kStatusWaiting;
+    return body.springs.forget();
   }
-  const ForceLaw law = fixed_ && !pair.ready_for_near_minima() ? ForceLaw::kSprings : options_.law;
-  const PairSituation situation{inverse(body.pose()) * tool.pose(),
-                                options_.cutoff,
-                                max_overlaps(),
-                                options_.mode,
-                                options_.global_every,
-                                steps_,
-                                law == ForceLaw::kSmooth};
-  pair.update(*body.options().model, *tool.options().model, situation, search_);
+  const bool springs = fixed_ && !body.against_tool.ready_for_near_minima();
+  const ForceLaw law = springs ? ForceLaw::kSprings : options_.law;
+  near_.push_back({id, &body, law,
+                   PairSituation{inverse(body.pose()) * tool.pose(), options_.cutoff, max_overlaps(),
+                                 options_.mode, options_.global_every, steps_, law == ForceLaw::kSmooth}});
+}
+
+// In equal parts, so that no part depends on what another left over.
+void Scene::share_budget() {
+  if (options_.tick_budget == 0) return;
+  const auto searched = static_cast<std::uint64_t>(std::ranges::count_if(
+      near_, [](const NearBody& near) { return near.body->against_tool.needs_search(near.situation); }));
+  for (NearBody& near : near_)
+    near.situation.budget = options_.tick_budget / std::max<std::uint64_t>(searched, 1);
+}
+
+// The searches of one step, a piece a body.
+class Scene::Searches : public Pieces {
+ public:
+  Searches(std::vector<NearBody>& near, const Body& tool, std::vector<LmdSearch>& searches)
+      : near_(near), tool_(*tool.options().model), searches_(searches) {}
+
+  void run(std::size_t piece, std::size_t worker) override {
+    const NearBody& near = near_[piece];
+    near.body->against_tool.update(*near.body->options().model, tool_, near.situation, searches_[worker]);
+  }
+
+ private:
+  std::vector<NearBody>& near_;
+  const Model& tool_;
+  std::vector<LmdSearch>& searches_;
+};
+
+// Where memory is fixed, as on a servo, nobody is waited for.
+void Scene::search_near_bodies(const Body& tool) {
+  Searches searches(near_, tool, searches_);
+  if (executor_ && !fixed_ && near_.size() > 1) return executor_->run(searches, near_.size());
+  for (std::size_t piece = 0; piece < near_.size(); ++piece) searches.run(piece, 0);
+}
+
+void Scene::collect(const NearBody& near, const Body& tool) {
+  Body& body = *near.body;
+  const PairSearch& pair = body.against_tool;
   if (pair.searched()) {
     ++next_.work.body_pairs;
     next_.work.search.node_pairs += pair.found().work.node_pairs;
     next_.work.search.triangle_pairs += pair.found().work.triangle_pairs;
     next_.work.add(pair.work());
   }
+  if (pair.by_descent()) next_.status |= kStatusByDescent;
   const ContactPair contacts{body.mesh(),
                              tool.mesh(),
-                             id,
+                             near.id,
                              tool_,
                              body.pose(),
                              spring_law_of(body.options()),
                              std::min(options_.max_overlaps, max_overlaps())};
   const std::uint32_t first_set = next_.set_count;
   append_contacts(pair.found(), contacts, next_);
-  body.springs.update(law_springs_.of(pair.found(), law, options_.cutoff),
-                      {situation.body_from_tool, options_.cutoff, time_step_, options_.fade_time,
+  body.springs.update(law_springs_.of(pair.found(), near.law, options_.cutoff),
+                      {near.situation.body_from_tool, options_.cutoff, time_step_, options_.fade_time,
                        pair.found().overlapping(), options_.mode == SearchMode::kDescent});
   if (body.springs.is_walled()) next_.status |= kStatusWall;
-  forces_.add(body.springs.list(), contacts, law == ForceLaw::kSmooth ? kNoSet : first_set, next_);
+  forces_.add(body.springs.list(), contacts, near.law == ForceLaw::kSmooth ? kNoSet : first_set, next_);
 }
 
 SpringLaw Scene::spring_law_of(const BodyOptions& body) const {

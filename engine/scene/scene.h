@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/body_table.h"
+#include "engine/scene/executor.h"
 #include "engine/scene/law_springs.h"
 #include "engine/scene/spring_forces.h"
 
@@ -19,10 +20,14 @@ struct SceneOptions {
   double fade_time = 0.0;      // seconds
   double time_step = 0.001;    // seconds from one step to the next, positive
   ForceLaw law = ForceLaw::kSmooth;
+  unsigned tick_budget = 0;  // tests of pairs in a certified step; 0: no limit
 };
 
 // What a step whose memory is fixed lists at most.
 inline constexpr Contacts::Most kMostListed{1'024, 4'096, Room{}.overlaps};
+
+// Bodies within reach that it touches at most.
+inline constexpr std::size_t kMostNear = 4'096;
 
 // Bodies and the tool that touches them. World frame, metres. Keeps its memory, so that a step like one
 // before allocates nothing. One thread at a time.
@@ -57,6 +62,9 @@ class Scene {
   void unfix();
 
   std::uint64_t steps() const { return steps_; }
+  // Who runs the searches of a step; null, as in the beginning: the caller's thread alone. Must live as long
+  // as the scene. The outcome does not depend on it.
+  void set_executor(Executor* executor);
 
   // Searches the tool against every body within reach. If it throws, contacts() is what it was.
   void step() { step(options_.time_step); }
@@ -64,8 +72,21 @@ class Scene {
   const Contacts& contacts() const { return contacts_; }
 
  private:
+  // A body within reach of the tool.
+  struct NearBody {
+    BodyId id;
+    Body* body;
+    ForceLaw law;
+    PairSituation situation;
+  };
+  class Searches;
+
   void lose_tool();
-  void touch(BodyId id, Body& body, const Body& tool);
+  void find_near_bodies(const Body& tool);
+  void look_at(BodyId id, Body& body, const Body& tool);
+  void share_budget();
+  void search_near_bodies(const Body& tool);
+  void collect(const NearBody& near, const Body& tool);
   SpringLaw spring_law_of(const BodyOptions& body) const;
   std::size_t max_overlaps() const;
 
@@ -75,7 +96,9 @@ class Scene {
   double time_step_ = 0.0;
   BodyTable bodies_;
   BodyId tool_ = 0;
-  LmdSearch search_;
+  Executor* executor_ = nullptr;
+  std::vector<LmdSearch> searches_ = std::vector<LmdSearch>(1);  // by worker
+  std::vector<NearBody> near_;                                   // in the order of slots
   LawSprings law_springs_;
   SpringForces forces_;
   Contacts contacts_;

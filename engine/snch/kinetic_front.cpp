@@ -20,6 +20,16 @@ constexpr double kKept = 0.999;
 // Readings beyond this are set back to 0 with a new front, so that float32 expiries stay fine.
 constexpr double kLongReading = 0.25;
 
+// Of a budget for a whole tick: a part renews the front, where a pair may be two tests.
+std::size_t rebuild_budget(std::uint64_t budget) {
+  budget = std::max(budget, KineticFront::kLeastBudget);
+  return static_cast<std::size_t>(std::min<std::uint64_t>(budget / 8, kRebuildPairs));
+}
+
+std::uint64_t scan_budget(std::uint64_t budget) {
+  return std::max(budget, KineticFront::kLeastBudget) - 2 * rebuild_budget(budget);
+}
+
 // A float32 below x if that is positive; not positive otherwise.
 float rounded_down(double x) {
   return static_cast<float>(x) * (1.0f - 0x1p-23f);
@@ -42,11 +52,12 @@ struct KineticFront::Tick {
   FeaturePairTest feature_test;
   FeatureCertificate feature_certificate;
   LmdSet& found;
+  std::uint64_t budget;  // of the scan
   std::optional<NearMinimumTest> near_test = std::nullopt;
 };
 
 void KineticFront::update(const Model& model_a, const Model& model_b, const Pose& a_from_b,
-                          const SearchOptions& options, LmdSet& found) {
+                          const SearchOptions& options, LmdSet& found, std::uint64_t budget) {
   const Mesh &a = model_a.mesh(), &b = model_b.mesh();
   const Placement placement(a.frame, b.frame, a_from_b);
   const double cutoff = options.cutoff / a.frame.scale, touch = touching_distance(placement);
@@ -69,11 +80,12 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
             NodeBatch(tree_a, tree_b, placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
             FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
-            found};
+            found,
+            scan_budget(budget)};
   if (options.near_minima) include_near_minima(tick, limits);
   scan(tick);
   if (found.cut) return forget();
-  build_next_front(tick);
+  build_next_front(tick, rebuild_budget(budget));
 
   std::sort(found.overlaps.begin(), found.overlaps.end());
   grouper_.group(a, b, touch, minima_, found);
@@ -90,6 +102,7 @@ void KineticFront::fix(const Room& room) {
   minima_.reserve(room.minima);
   // The two fronts change places, and all of one may expire at once.
   open_.reserve(std::max(front_.capacity(), next_front_.capacity()) + kOpenRoom);
+  postponed_.reserve(open_.capacity());
   grouper_.fix(minima_.capacity());
 }
 
@@ -130,6 +143,7 @@ void KineticFront::start(const Placement& placement) {
   odometer_.emplace((b_->centre() - from.origin) / from.scale, (b_->radius() + options_.cutoff) / to.scale);
   odometer_->start(placement);
   front_.assign(1, {0, 0, -1.0f, -1.0f});
+  postponed_.clear();
   next_front_.clear();
   next_open_.assign(1, {0, 0});
 }
@@ -148,11 +162,23 @@ void KineticFront::scan(Tick& tick) {
   }
   front_.resize(kept);
   work_.expired = open_.size();
+  if (fixed_ && !has_room(open_, postponed_.size())) tick.found.cut = true;
+  if (tick.found.cut) return;
+  open_.insert(open_.end(), postponed_.begin(), postponed_.end());  // the last is tested first
   while (!open_.empty()) {
     if (!has_room_for(front_, open_)) tick.found.cut = true;
-    if (tick.found.cut) return;
-    settle_last(tick, NodeBatch::kMost, front_, open_, true);
+    const std::size_t count = affordable(tick);
+    if (tick.found.cut || count == 0) break;
+    settle_last(tick, count, front_, open_, true);
   }
+  postponed_.assign(open_.begin(), open_.end());
+  complete_ = open_.empty();
+}
+
+// How many pairs the scan may still test: each may be a test of two nodes and of two triangles.
+std::size_t KineticFront::affordable(const Tick& tick) const {
+  const std::uint64_t spent = tick.found.work.node_pairs + tick.found.work.triangle_pairs;
+  return static_cast<std::size_t>(std::min<std::uint64_t>((tick.budget - spent) / 2, NodeBatch::kMost));
 }
 
 // Tests the last open pairs, at most `most`, together.
@@ -204,8 +230,8 @@ Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint3
   return {};
 }
 
-void KineticFront::build_next_front(Tick& tick) {
-  for (std::size_t left = kRebuildPairs; left > 0 && !next_open_.empty();) {
+void KineticFront::build_next_front(Tick& tick, std::size_t most) {
+  for (std::size_t left = most; left > 0 && !next_open_.empty();) {
     if (!has_room_for(next_front_, next_open_)) {
       next_front_.clear();
       next_open_.assign(1, {0, 0});
@@ -218,6 +244,7 @@ void KineticFront::build_next_front(Tick& tick) {
   }
   if (!next_open_.empty()) return;
   front_.swap(next_front_);
+  postponed_.clear();  // the next front has a place for them
   next_front_.clear();
   next_open_.assign(1, {0, 0});
   if (std::max(odometer_->distance(), odometer_->angle()) > kLongReading) rebase();

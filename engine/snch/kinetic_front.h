@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,14 +30,23 @@ struct FrontWork {
 // built from the roots, a few pairs a tick, to take the place of the one that has grown finer than it need
 // be.
 //
+// A tick may be given a budget of tests. What it leaves untested comes first in the next tick, so that
+// nothing is lost: the set is complete again as soon as the budget suffices.
+//
 // After: kinetic data structures (Basch, Guibas & Hershberger 1997) and front tracking (Klosowski et al.
 // 1998).
 class KineticFront {
  public:
-  // Fills `found` with the complete set at this pose. Other models, or another cutoff or tolerance than last
+  static constexpr std::uint64_t kNoBudget = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t kLeastBudget = 128;  // less would not get ahead
+
+  // Fills `found` with the complete set at this pose, or with a part of it if more than `budget` tests of
+  // pairs of nodes and of triangles would be needed. Other models, or another cutoff or tolerance than last
   // time, start afresh. The models must live until the next update or forget().
   void update(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
-              LmdSet& found);
+              LmdSet& found, std::uint64_t budget = kNoBudget);
+
+  bool complete() const { return complete_; }  // what the last update found
 
   // Allocates nothing any more: a front that outgrows its room is given up, and `found` is cut, and flagged.
   // Needs a `found` with the same room.
@@ -65,12 +75,13 @@ class KineticFront {
   void start(const Placement& placement);
   void scan(Tick& tick);
   bool has_room_for(const std::vector<Entry>& front, const std::vector<NodePair>& open) const;
+  std::size_t affordable(const Tick& tick) const;
   void settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front, std::vector<NodePair>& open,
                    bool collect);
   void settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
               std::vector<NodePair>& open, bool collect);
   Certificate test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect);
-  void build_next_front(Tick& tick);
+  void build_next_front(Tick& tick, std::size_t most);
   void rebase();
   Entry entry_of(NodePair pair, const Certificate& certificate) const;
 
@@ -83,6 +94,8 @@ class KineticFront {
   std::vector<Entry> next_front_;
   std::vector<NodePair> next_open_;  // pairs that the next front has still to test
   std::vector<NodePair> open_;
+  std::vector<NodePair> postponed_;  // pairs that are not on the front: the last tick could not afford them
+  bool complete_ = true;
   std::vector<Minimum> minima_;
   PlateauGrouper grouper_;
   FrontWork work_;

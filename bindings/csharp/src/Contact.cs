@@ -78,5 +78,6 @@ namespace Palpate
         public ulong FrontExpired;
         public ulong Age;
         public double GlobalUs;
+        public ulong Rebuilds;
     }
 }

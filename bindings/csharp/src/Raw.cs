@@ -58,6 +58,7 @@ namespace Palpate
         public const int PLP_FEATURE_EDGE = 1;
         public const int PLP_FEATURE_VERTEX = 2;
 
+        public const int PLP_STATUS_BY_DESCENT = 1;
         public const int PLP_STATUS_CUT = 2;
         public const int PLP_STATUS_WAITING = 4;
         public const int PLP_STATUS_WALL = 8;
@@ -236,6 +237,7 @@ namespace Palpate
             public ulong front_expired;
             public ulong age;
             public double global_us;
+            public ulong rebuilds;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -285,12 +287,14 @@ namespace Palpate
             public int mode;
             public uint global_every;
             public int law;
-            public uint reserved;
+            public uint threads;
             public double damping;
             public double stiffness_cap;
             public double friction;
             public double fade_time;
             public double time_step;
+            public uint tick_budget;
+            public uint reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]

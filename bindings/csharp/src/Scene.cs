@@ -107,6 +107,20 @@ namespace Palpate
             set => Struct.global_every = value;
         }
 
+        /// <summary>Of a step, with the caller's; the outcome does not depend on it.</summary>
+        public uint Threads
+        {
+            get => Struct.threads;
+            set => Struct.threads = value;
+        }
+
+        /// <summary>Mode.Certified: at most so many tests in a step, which descent then completes; 0: no limit.</summary>
+        public uint TickBudget
+        {
+            get => Struct.tick_budget;
+            set => Struct.tick_budget = value;
+        }
+
         /// <summary>List at most so many overlapping pairs.</summary>
         public uint MaxOverlaps
         {

@@ -342,13 +342,16 @@ typedef struct plp_work {
   uint64_t front_expired;  /**< PLP_MODE_CERTIFIED: of those, renewed in this step */
   uint64_t age;            /**< steps since the search that the LMDs come from */
   double global_us;        /**< time of searches from scratch in this step */
+  uint64_t rebuilds;       /**< PLP_MODE_CERTIFIED: of the node pairs, those tested to renew what is kept */
 } plp_work;
 
 /** How an outcome is out of the ordinary: bits of plp_contacts::status. */
 typedef enum plp_status {
-  PLP_STATUS_CUT = 2,     /**< a servo found more than it had room for; it gets more */
-  PLP_STATUS_WAITING = 4, /**< a near body pushes nothing yet: it is being made ready for the servo */
-  PLP_STATUS_WALL = 8     /**< surfaces overlap and walls hold the tool */
+  PLP_STATUS_BY_DESCENT = 1, /**< plp_scene_options::tick_budget ran out: local descent from the last step
+                                completed the set, which may lack new LMDs; all that it has are LMDs */
+  PLP_STATUS_CUT = 2,        /**< a servo found more than it had room for; it gets more */
+  PLP_STATUS_WAITING = 4,    /**< a near body pushes nothing yet: it is being made ready for the servo */
+  PLP_STATUS_WALL = 8        /**< surfaces overlap and walls hold the tool */
 } plp_status;
 
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
@@ -456,7 +459,8 @@ typedef struct plp_scene_options {
   int32_t mode;          /**< plp_mode */
   uint32_t global_every; /**< PLP_MODE_DESCENT: steps from one search to the next; 0 for 10 */
   int32_t law;           /**< plp_law */
-  uint32_t reserved;     /**< 0 */
+  uint32_t threads;      /**< of plp_scene_step, with the caller's, at most 256; 0 and 1: the caller's alone.
+                            The outcome does not depend on it, but with more the step blocks and locks. */
   double damping; /**< N·s/m, not negative: what a spring of weight 1 adds to its push while it closes. As
                      a device samples, this stays passive up to about m / (2 time_step), m the mass that
                      the hand holds; from stiffness × time_step on it makes up for the energy that
@@ -469,6 +473,10 @@ typedef struct plp_scene_options {
                        than the cutoff; every mode: that hands over from a wall. 0: at once */
   double time_step; /**< seconds from one plp_scene_step to the next, for velocities, within 1e-6 and
                        1; 0 for 0.001 */
+  uint32_t tick_budget; /**< PLP_MODE_CERTIFIED: at most so many tests of pairs of nodes and of triangles in a
+                           step, shared equally by the bodies searched, at least 128 each; then descent. What
+                           is left comes first in the next step, also if nothing moves. 0: no limit */
+  uint32_t reserved;    /**< 0 */
 } plp_scene_options;
 
 /** @brief Fills `options`: Palpate's space, no cutoff yet, PLP_LAW_SMOOTH, 1000 N/m without damping, friction

@@ -53,6 +53,7 @@ PLP_FEATURE_FACE = 0
 PLP_FEATURE_EDGE = 1
 PLP_FEATURE_VERTEX = 2
 
+PLP_STATUS_BY_DESCENT = 1
 PLP_STATUS_CUT = 2
 PLP_STATUS_WAITING = 4
 PLP_STATUS_WALL = 8
@@ -215,6 +216,7 @@ class plp_work(Structure):
         ("front_expired", c_uint64),
         ("age", c_uint64),
         ("global_us", c_double),
+        ("rebuilds", c_uint64),
     ]
 
 
@@ -264,12 +266,14 @@ class plp_scene_options(Structure):
         ("mode", c_int32),
         ("global_every", c_uint32),
         ("law", c_int32),
-        ("reserved", c_uint32),
+        ("threads", c_uint32),
         ("damping", c_double),
         ("stiffness_cap", c_double),
         ("friction", c_double),
         ("fade_time", c_double),
         ("time_step", c_double),
+        ("tick_budget", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 

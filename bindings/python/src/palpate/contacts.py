@@ -21,6 +21,8 @@ class Feature(enum.IntEnum):
 class Status(enum.IntFlag):
     """What is not as it should be in an outcome; 0: all is well."""
 
+    BY_DESCENT = _raw.PLP_STATUS_BY_DESCENT
+    """The tick budget ran out: local descent completed the set, which may lack new contacts."""
     CUT = _raw.PLP_STATUS_CUT
     WAITING = _raw.PLP_STATUS_WAITING
 
@@ -45,6 +47,7 @@ class Work(NamedTuple):
     front_expired: int
     age: int
     global_us: float
+    rebuilds: int
 
 
 class _Copy:
@@ -120,6 +123,11 @@ class Contacts:
     def wrench(self) -> Wrench:
         wrench = self._struct.wrench
         return Wrench(tuple(wrench.force), tuple(wrench.torque))
+
+    @property
+    def status(self) -> Status:
+        """Zero if all is well."""
+        return Status(self._struct.status)
 
     @property
     def search_us(self) -> float:

@@ -63,17 +63,19 @@ class Scene(Closing):
     step it and read contacts."""
 
     def __init__(self, cutoff: float, stiffness: float = 1000.0, space: Space | None = None, *,
-                 mode: Mode = "certified", law: Law = "smooth",
-                 global_every: int = 10, max_overlaps: int = 1024, damping: float = 0.0, stiffness_cap: float = 0.0,
-                 friction: float = 0.0, fade_time: float = 0.02, time_step: float = 0.001) -> None:
+                 mode: Mode = "certified", law: Law = "smooth", global_every: int = 10, max_overlaps: int = 1024,
+                 damping: float = 0.0, stiffness_cap: float = 0.0, friction: float = 0.0, fade_time: float = 0.02,
+                 time_step: float = 0.001, threads: int = 1, tick_budget: int = 0) -> None:
         """`cutoff`: springs begin to push at this distance. `stiffness` in N/m. `space`: None for Palpate's own.
         `mode`: "global" searches from scratch in every step; "certified" keeps the complete set up to date; "descent"
         follows what a search found, repeated after `global_every` steps, and learns of new contacts late.
-        `law`: under "smooth" force and torque are continuous in the pose; under "springs" every contact pushes for itself
-        and jumps as it comes and goes. `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap` in N/m: all springs together are no
-        stiffer in any direction; 0 for no cap. `friction`: Coulomb's coefficient. `fade_time`: seconds in which a
-        spring fades that "descent" loses or finds late, or that hands over from a wall. `time_step`: seconds from
-        one step to the next, for velocities."""
+        `law`: under "smooth" force and torque are continuous in the pose; under "springs" every contact pushes for
+        itself and jumps as it comes and goes. `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap`
+        in N/m: all springs together are no stiffer in any direction; 0 for no cap. `friction`: Coulomb's coefficient.
+        `fade_time`: seconds in which a spring fades that "descent" loses or finds late, or that hands over from a
+        wall. `time_step`: seconds from one step to the next, for velocities. `threads` share the searches of a step,
+        whose outcome does not depend on it. `tick_budget`: when "certified", at most so many tests in a step, which
+        descent then completes; 0: no limit."""
         options = _raw.plp_scene_options()
         _raw.plp_scene_options_init(options)
         options.cutoff = cutoff
@@ -87,6 +89,8 @@ class Scene(Closing):
         options.friction = friction
         options.fade_time = fade_time
         options.time_step = time_step
+        options.threads = uint32(threads, "threads")
+        options.tick_budget = uint32(tick_budget, "tick_budget")
         if space is not None:
             options.space = space_struct(space)
         super().__init__(create(_raw.plp_scene_create, _raw.plp_scene_release, options))
