@@ -120,6 +120,12 @@ class CommandLine(unittest.TestCase):
         self.assertIn("--friction", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs",
                                                    "--friction", "-1"))
 
+    def test_devices(self):
+        devices = {device["uri"]: device for device in json.loads(self.output("devices", "--json"))}
+        self.assertEqual(devices["sim:touch"]["max_torque"], 0)
+        self.assertGreater(devices["sim:premium6dof"]["max_torque"], 0)
+        self.assertIn("sim:premium6dof", self.output("devices"))
+
     def test_run_by_the_smooth_law(self):
         rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},1.1,0,0,0,0,{0.0004 * (i - 50)},1" for i in range(100)]
         poses = self.write("rock.csv", "\n".join(rows))
@@ -148,6 +154,15 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(searched, {"global": list(range(40)), "descent": list(range(0, 40, 7)), "certified": []}[mode])
             self.assertEqual({int(tick["age_ticks"]) for tick in ticks}, set(range(7)) if mode == "descent" else {0})
         self.assertEqual(forces["certified"], forces["global"])
+        for mode in ("descent", "certified"):
+            compared = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                              "--mode", mode, "--compare", "--json"))["comparison"]
+            self.assertGreater(compared["sets"], 10)
+            self.assertEqual(compared["spurious"], 0)
+            if mode == "certified":
+                self.assertEqual((compared["missed"], compared["force_error_max"], compared["torque_error_max"]), (0, 0, 0))
+        self.assertIn("--threaded", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                                   "--compare", "--threaded"))
         for one, other in zip(forces["descent"], forces["global"]):
             self.assertEqual(one[0], other[0])
             self.assertAlmostEqual(float(one[1]), float(other[1]), delta=1e-6)
