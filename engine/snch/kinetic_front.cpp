@@ -79,7 +79,8 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
             touch,
             NodeBatch(tree_a, tree_b, placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
-            FeatureCertificate(a, b, placement, limits, odometer_->rate(), reach),
+            FeatureCertificate(a, b, placement, {cutoff, touch, SearchOptions::kWidestTolerance},
+                               odometer_->rate(), reach),
             found,
             scan_budget(budget)};
   if (options.near_minima) include_near_minima(tick, limits);
@@ -134,7 +135,6 @@ void KineticFront::include_near_minima(Tick& tick, const FeaturePairTest::Limits
 
 bool KineticFront::goes_on(const Model& a, const Model& b, const SearchOptions& options) const {
   return odometer_ && &a == a_ && &b == b_ && options.cutoff == options_.cutoff &&
-         options.parallel_tolerance == options_.parallel_tolerance &&
          options.near_minima == options_.near_minima;
 }
 

@@ -41,7 +41,7 @@ class KineticFront {
   static constexpr std::uint64_t kLeastBudget = 128;  // less would not get ahead
 
   // Fills `found` with the complete set at this pose, or with a part of it if more than `budget` tests of
-  // pairs of nodes and of triangles would be needed. Other models, or another cutoff or tolerance than last
+  // pairs of nodes and of triangles would be needed. Other models, or another cutoff than last
   // time, start afresh. The models must live until the next update or forget().
   void update(const Model& a, const Model& b, const Pose& a_from_b, const SearchOptions& options,
               LmdSet& found, std::uint64_t budget = kNoBudget);

@@ -15,7 +15,8 @@ struct SearchOptions {
   // Directions this far outside a polar cone still belong to a plateau (radians). A caller that follows a
   // motion widens it while there is a plateau, so that a rocking box does not flicker.
   double parallel_tolerance = 1e-6;
-  bool near_minima = false;  // ask for them, too
+  static constexpr double kWidestTolerance = 1e-5;  // more than this is not asked for
+  bool near_minima = false;                         // ask for them, too
 };
 
 // Searches two models for all local minimum distances, from scratch. Keeps its memory from call to call, so
