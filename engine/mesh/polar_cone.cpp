@@ -86,6 +86,16 @@ bool polar_cone_may_hold(const Tangents& tangents, double lean) {
   return false;
 }
 
+// u leaves each of the triangles, beyond rounding: then any mean of their normals has it on its side.
+bool leaves_all(const Mesh& mesh, std::span<const std::uint32_t> triangles, const DVec3& u) {
+  constexpr double kSurely = 1e-6;
+  return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
+    const DVec3 area = area_vector(mesh.positions, mesh.triangles[triangle]);
+    const double along = glm::dot(area, u);
+    return along > 0 && along * along > kSurely * kSurely * glm::dot(area, area);
+  });
+}
+
 }  // namespace
 
 bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex, double lean) {
@@ -159,6 +169,15 @@ DVec3 edge_pseudonormal(const Mesh& mesh, std::uint32_t edge) {
   DVec3 sum(0.0);
   for (std::uint32_t triangle : mesh.edge_triangles[edge]) sum += unit_normal(mesh, triangle);
   return sum;
+}
+
+bool leaves_at_vertex(const Mesh& mesh, std::uint32_t vertex, const DVec3& u) {
+  return leaves_all(mesh, mesh.vertex_triangles[vertex], u) ||
+         glm::dot(u, vertex_pseudonormal(mesh, vertex)) > 0;
+}
+
+bool leaves_at_edge(const Mesh& mesh, std::uint32_t edge, const DVec3& u) {
+  return leaves_all(mesh, mesh.edge_triangles[edge], u) || glm::dot(u, edge_pseudonormal(mesh, edge)) > 0;
 }
 
 void flag_features(Mesh& mesh) {

@@ -34,6 +34,10 @@ bool vertex_may_hold(const Mesh& mesh, std::uint32_t vertex, double lean);
 DVec3 vertex_pseudonormal(const Mesh& mesh, std::uint32_t vertex);
 DVec3 edge_pseudonormal(const Mesh& mesh, std::uint32_t edge);
 
+// u leaves the solid at a vertex or edge. Spares the pseudonormal where u leaves each of the triangles there.
+bool leaves_at_vertex(const Mesh& mesh, std::uint32_t vertex, const DVec3& u);
+bool leaves_at_edge(const Mesh& mesh, std::uint32_t edge, const DVec3& u);
+
 // The unit normal of a triangle.
 DVec3 unit_normal(const Mesh& mesh, std::uint32_t triangle);
 

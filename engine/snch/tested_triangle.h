@@ -48,9 +48,8 @@ struct MeshSide {
     const bool is_vertex = feature.kind == FeatureKind::kVertex;
     const FeatureFlags flags = is_vertex ? mesh.vertex_flags[feature.index] : mesh.edge_flags[feature.index];
     if (!flags.outward) return true;
-    const DVec3 normal =
-        is_vertex ? vertex_pseudonormal(mesh, feature.index) : edge_pseudonormal(mesh, feature.index);
-    return glm::dot(own(u), normal) > 0;
+    return is_vertex ? leaves_at_vertex(mesh, feature.index, own(u))
+                     : leaves_at_edge(mesh, feature.index, own(u));
   }
 
   // A direction in the frame of the mesh itself.
