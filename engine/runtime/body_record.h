@@ -40,7 +40,8 @@ struct BodyRecord {
   const BodyId id;
   BodyKind kind = BodyKind::kStatic;
   std::shared_ptr<const Model> model;
-  Pose pose;
+  Pose pose;             // as it was set last
+  bool in_hand = false;  // a device has moved it since
   struct Sight {
     DVec3 at;            // from the tool
     std::uint64_t step;  // of the tool's pose

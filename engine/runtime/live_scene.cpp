@@ -1,7 +1,9 @@
 #include "engine/runtime/live_scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "engine/runtime/scene_commands.h"
@@ -16,6 +18,16 @@ constexpr std::size_t kMostCommandsATick = 256;
 // out, relative to it.
 constexpr double kReadyAhead = 0.1;
 constexpr double kReadyReach = 2.0;
+
+// The servo lets a device go in its next tick, after which anybody may have it. One that does not tick is not
+// waited for any longer than this.
+constexpr std::chrono::milliseconds kLongestWait{100};
+constexpr std::chrono::microseconds kLookAgain{50};
+
+void wait_for(const Flag& done) {
+  const auto end = std::chrono::steady_clock::now() + kLongestWait;
+  while (!done.raised() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLookAgain);
+}
 
 void destroy_all(Letter* letter) {
   while (letter) delete std::exchange(letter, letter->next());
@@ -80,6 +92,7 @@ bool LiveScene::set_pose(BodyId id, const Pose& pose) {
   BodyRecord* const record = find(id);
   if (!record) return false;
   record->pose = pose;
+  record->in_hand = id == tool_ && device_ != nullptr;
   if (!live_) return scene_.set_pose(id, pose);
   if (record->post.send(pose)) inbox_.post(&record->post);
   return true;
@@ -89,7 +102,8 @@ std::optional<Pose> LiveScene::pose_of(BodyId id) {
   const std::lock_guard lock(mutex_);
   const BodyRecord* const record = find(id);
   if (!record) return std::nullopt;
-  return id == tool_ && device_ ? pose_in_hand(*record) : record->pose;
+  const bool in_hand = record->in_hand || (id == tool_ && device_);
+  return in_hand ? pose_in_hand(*record) : record->pose;
 }
 
 // A device moves the tool without a word to its record.
@@ -145,11 +159,21 @@ void LiveScene::set_mode(SearchMode mode) {
 }
 
 Status LiveScene::set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
-  const std::lock_guard lock(mutex_);
-  if (device && device != device_ && !device->claim())
-    return Error{ErrorCode::kWrongState, "another scene has the device; take it from there first"};
-  device_ = device;
-  change([this, device, mapping](Scene&) mutable { device = loop_.exchange(std::move(device), mapping); });
+  const auto done = std::make_shared<Flag>();
+  bool live = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (device && device != device_ && !device->claim())
+      return Error{ErrorCode::kWrongState, "another scene has the device; take it from there first"};
+    if (BodyRecord* const tool = find(tool_)) tool->in_hand = true;
+    device_ = device;
+    live = live_;
+    change([this, device, mapping, done](Scene&) mutable {
+      device = loop_.exchange(std::move(device), mapping);
+      done->raise();
+    });
+  }
+  if (live) wait_for(*done);
   return Done{};
 }
 

@@ -43,8 +43,9 @@ class LiveScene : public ServoTask {
   // As Scene's; only while it is not live.
   void set_executor(Executor* executor) { scene_.set_executor(executor); }
 
-  // Gives the tool to a device, whose hand feels it from then on; null takes it away. Errors: kWrongState
-  // (another scene has the device).
+  // Gives the tool to a device, whose hand feels it from then on; null takes it away. When it returns, the
+  // device before may be given to anybody, unless a servo takes longer than 0.1 s for a tick. Errors:
+  // kWrongState (another scene has the device).
   Status set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping);
 
   // Errors: kWrongState (it is live). If it throws, the outcome is what it was.

@@ -48,7 +48,7 @@ TEST(Devices, AreListed) {
   ASSERT_EQ(count, 2u);
   std::vector<plp_device_info> infos(3);
   std::memset(infos.data(), 0x5a, infos.size() * sizeof infos[0]);
-  plp_device_info_init(&infos[0]);
+  plp_device_info_init(&infos[0], sizeof infos[0]);
   ASSERT_EQ(plp_device_list(infos.data(), infos.size(), &count), PLP_OK) << plp_last_error();
   ASSERT_EQ(count, 2u);
   EXPECT_STREQ(infos[0].uri, "sim:premium6dof");
@@ -150,6 +150,40 @@ TEST_F(DeviceScene, AnotherSceneMayNotHaveIt) {
     EXPECT_EQ(plp_scene_set_device(scene_.handle, device_.handle, nullptr), PLP_ERROR_WRONG_STATE);
   }
   EXPECT_EQ(plp_scene_set_device(scene_.handle, device_.handle, nullptr), PLP_OK) << "its scene is gone";
+}
+
+TEST_F(DeviceScene, ARunningSceneGivesItBackAtOnce) {
+  TestScene other(0.01);
+  ASSERT_EQ(plp_scene_start(scene_.handle, nullptr), PLP_OK);
+  ASSERT_EQ(plp_scene_start(other.handle, nullptr), PLP_OK);
+  for (int round = 0; round < 50; ++round) {
+    ASSERT_EQ(plp_scene_set_device(scene_.handle, device_.handle, nullptr), PLP_OK) << round;
+    ASSERT_EQ(plp_scene_set_device(scene_.handle, nullptr, nullptr), PLP_OK) << round;
+    ASSERT_EQ(plp_scene_set_device(other.handle, device_.handle, nullptr), PLP_OK) << round;
+    ASSERT_EQ(plp_scene_set_device(other.handle, nullptr, nullptr), PLP_OK) << round;
+  }
+  plp_scene_stop(other.handle);
+  plp_scene_stop(scene_.handle);
+}
+
+TEST_F(DeviceScene, TheToolStaysWhereTheHandLeftIt) {
+  const plp_pose before = tool_pose();
+  attach();
+  arm();
+  const plp_pose held = tool_pose();
+  ASSERT_NE(held.position[1], before.position[1]);
+  ASSERT_EQ(plp_scene_set_device(scene_.handle, nullptr, nullptr), PLP_OK);
+  EXPECT_EQ(tool_pose().position[1], held.position[1]);
+  ASSERT_EQ(plp_scene_start(scene_.handle, nullptr), PLP_OK);
+  EXPECT_EQ(tool_pose().position[1], held.position[1]);
+  attach();
+  ASSERT_EQ(plp_scene_set_device(scene_.handle, nullptr, nullptr), PLP_OK);
+  const plp_pose left = tool_pose();
+  plp_scene_stop(scene_.handle);
+  EXPECT_EQ(tool_pose().position[1], left.position[1]);
+  const plp_pose placed = at(0.0, 0.5, 0.0);
+  ASSERT_EQ(plp_scene_set_pose(scene_.handle, tool_, &placed), PLP_OK);
+  EXPECT_EQ(tool_pose().position[1], 0.5);
 }
 
 TEST_F(DeviceScene, TheHandDoesWhatItIsTold) {
