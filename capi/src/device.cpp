@@ -90,10 +90,8 @@ plp_result plp_device_disarm(plp_device device) {
   });
 }
 
-void plp_safety_limits_init(plp_safety_limits* limits) {
-  if (!limits) return;
-  *limits = {};
-  limits->struct_size = sizeof *limits;
+void plp_safety_limits_init(plp_safety_limits* limits, size_t size) {
+  fill_struct(plp_safety_limits{}, limits, size);
 }
 
 plp_result plp_device_set_limits(plp_device device, const plp_safety_limits* limits) {

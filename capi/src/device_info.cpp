@@ -53,10 +53,8 @@ plp_device_info* info_at(plp_device_info* infos, std::size_t i, std::uint32_t si
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_device_info_init(plp_device_info* info) {
-  if (!info) return;
-  *info = {};
-  info->struct_size = sizeof *info;
+void plp_device_info_init(plp_device_info* info, size_t size) {
+  fill_struct(plp_device_info{}, info, size);
 }
 
 plp_result plp_device_list(plp_device_info* infos, size_t capacity, size_t* count) {

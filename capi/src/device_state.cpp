@@ -68,10 +68,8 @@ plp_device_state state_of(const DeviceStatus& status) {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_device_state_init(plp_device_state* state) {
-  if (!state) return;
-  *state = {};
-  state->struct_size = sizeof *state;
+void plp_device_state_init(plp_device_state* state, size_t size) {
+  fill_struct(plp_device_state{}, state, size);
 }
 
 plp_result plp_device_get_state(plp_device device, plp_device_state* state) {

@@ -121,19 +121,18 @@ void give(GuardedDevice& device, HandOrder order) {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_hand_options_init(plp_hand_options* options) {
-  if (!options) return;
+void plp_hand_options_init(plp_hand_options* options, size_t size) {
   const ScriptParameters defaults;
-  *options = {};
-  options->struct_size = sizeof *options;
-  options->grip = PLP_GRIP_LIGHT;
-  options->script = PLP_HAND_HOLD;
-  options->origin.orientation[3] = 1.0;
-  store(defaults.into, options->into);
-  store(defaults.along, options->along);
-  options->depth = defaults.depth;
-  options->travel = defaults.travel;
-  options->period = defaults.period;
+  plp_hand_options filled{};
+  filled.grip = PLP_GRIP_LIGHT;
+  filled.script = PLP_HAND_HOLD;
+  filled.origin.orientation[3] = 1.0;
+  store(defaults.into, filled.into);
+  store(defaults.along, filled.along);
+  filled.depth = defaults.depth;
+  filled.travel = defaults.travel;
+  filled.period = defaults.period;
+  fill_struct(filled, options, size);
 }
 
 plp_result plp_device_set_hand(plp_device device, const plp_hand_options* options) {

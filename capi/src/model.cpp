@@ -95,8 +95,8 @@ plp_model new_gltf_model(const GltfScene& scene, const plp_model_options& option
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_model_options_init(plp_model_options* options) {
-  if (options) *options = default_model_options();
+void plp_model_options_init(plp_model_options* options, size_t size) {
+  fill_struct(default_model_options(), options, size);
 }
 
 plp_result plp_model_load_file(const char* path, const plp_model_options* options, plp_model* model) {
@@ -125,13 +125,12 @@ plp_result plp_model_load_memory(const void* data, size_t size, const char* fold
   });
 }
 
-void plp_triangles_init(plp_triangles* triangles) {
-  if (!triangles) return;
-  *triangles = {};
-  triangles->struct_size = sizeof *triangles;
-  triangles->position_type = PLP_TYPE_FLOAT32;
-  triangles->index_type = PLP_TYPE_UINT32;
-  triangles->space = kPalpateSpace;
+void plp_triangles_init(plp_triangles* triangles, size_t size) {
+  plp_triangles filled{};
+  filled.position_type = PLP_TYPE_FLOAT32;
+  filled.index_type = PLP_TYPE_UINT32;
+  filled.space = kPalpateSpace;
+  fill_struct(filled, triangles, size);
 }
 
 plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const plp_model_options* options,

@@ -65,10 +65,8 @@ plp_model_info info_of(const ModelObject& object) {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_model_info_init(plp_model_info* info) {
-  if (!info) return;
-  *info = {};
-  info->struct_size = sizeof *info;
+void plp_model_info_init(plp_model_info* info, size_t size) {
+  fill_struct(plp_model_info{}, info, size);
 }
 
 plp_result plp_model_get_info(plp_model model, plp_model_info* info) {

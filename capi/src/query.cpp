@@ -23,10 +23,8 @@ QueryOptions checked_query_options(const plp_query_options* given) {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_contacts_init(plp_contacts* contacts) {
-  if (!contacts) return;
-  *contacts = {};
-  contacts->struct_size = sizeof *contacts;
+void plp_contacts_init(plp_contacts* contacts, size_t size) {
+  fill_struct(plp_contacts{}, contacts, size);
 }
 
 plp_result plp_query_result_create(plp_query_result* result) {
@@ -40,12 +38,11 @@ plp_result plp_query_result_release(plp_query_result result) {
   return guarded([&] { release_handle(query_table(), result, "result"); });
 }
 
-void plp_query_options_init(plp_query_options* options) {
-  if (!options) return;
-  *options = {};
-  options->struct_size = sizeof *options;
-  options->max_overlaps = 1024;
-  options->stiffness = 1000.0;
+void plp_query_options_init(plp_query_options* options, size_t size) {
+  plp_query_options filled{};
+  filled.max_overlaps = 1024;
+  filled.stiffness = 1000.0;
+  fill_struct(filled, options, size);
 }
 
 plp_result plp_query(plp_model a, plp_model b, const plp_pose* a_from_b, const plp_query_options* options,

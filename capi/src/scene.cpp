@@ -105,17 +105,16 @@ void require_body(bool found) {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_scene_options_init(plp_scene_options* options) {
-  if (!options) return;
-  *options = {};
-  options->struct_size = sizeof *options;
-  options->max_overlaps = 1024;
-  options->space = kPalpateSpace;
-  options->stiffness = 1000.0;
-  options->mode = PLP_MODE_CERTIFIED;
-  options->law = PLP_LAW_SMOOTH;
-  options->fade_time = 0.02;
-  options->time_step = 0.001;
+void plp_scene_options_init(plp_scene_options* options, size_t size) {
+  plp_scene_options filled{};
+  filled.max_overlaps = 1024;
+  filled.space = kPalpateSpace;
+  filled.stiffness = 1000.0;
+  filled.mode = PLP_MODE_CERTIFIED;
+  filled.law = PLP_LAW_SMOOTH;
+  filled.fade_time = 0.02;
+  filled.time_step = 0.001;
+  fill_struct(filled, options, size);
 }
 
 plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene) {
@@ -129,12 +128,11 @@ plp_result plp_scene_release(plp_scene scene) {
   return guarded([&] { release_handle(scene_table(), scene, "scene"); });
 }
 
-void plp_body_options_init(plp_body_options* options) {
-  if (!options) return;
-  *options = {};
-  options->struct_size = sizeof *options;
-  options->kind = PLP_BODY_STATIC;
-  options->pose.orientation[3] = 1.0;
+void plp_body_options_init(plp_body_options* options, size_t size) {
+  plp_body_options filled{};
+  filled.kind = PLP_BODY_STATIC;
+  filled.pose.orientation[3] = 1.0;
+  fill_struct(filled, options, size);
 }
 
 plp_result plp_scene_add_body(plp_scene scene, const plp_body_options* options, plp_body* body) {

@@ -38,14 +38,13 @@ DeviceMapping checked_mapping(const plp_device_mapping* given, const Space& spac
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_device_mapping_init(plp_device_mapping* mapping) {
-  if (!mapping) return;
-  *mapping = {};
-  mapping->struct_size = sizeof *mapping;
-  mapping->scene_from_base.orientation[3] = 1.0;
-  mapping->handle_from_tool.orientation[3] = 1.0;
-  mapping->motion_scale = 1.0;
-  mapping->force_scale = 1.0;
+void plp_device_mapping_init(plp_device_mapping* mapping, size_t size) {
+  plp_device_mapping filled{};
+  filled.scene_from_base.orientation[3] = 1.0;
+  filled.handle_from_tool.orientation[3] = 1.0;
+  filled.motion_scale = 1.0;
+  filled.force_scale = 1.0;
+  fill_struct(filled, mapping, size);
 }
 
 plp_result plp_scene_set_device(plp_scene scene, plp_device device, const plp_device_mapping* mapping) {

@@ -69,18 +69,15 @@ struct AtExit {
 using namespace palpate;
 using namespace palpate::capi;
 
-void plp_servo_options_init(plp_servo_options* options) {
-  if (!options) return;
-  *options = {};
-  options->struct_size = sizeof *options;
-  options->rate = kUsualRate;
-  options->cpu = ServoOptions::kAnyCpu;
+void plp_servo_options_init(plp_servo_options* options, size_t size) {
+  plp_servo_options filled{};
+  filled.rate = kUsualRate;
+  filled.cpu = ServoOptions::kAnyCpu;
+  fill_struct(filled, options, size);
 }
 
-void plp_servo_state_init(plp_servo_state* state) {
-  if (!state) return;
-  *state = {};
-  state->struct_size = sizeof *state;
+void plp_servo_state_init(plp_servo_state* state, size_t size) {
+  fill_struct(plp_servo_state{}, state, size);
 }
 
 plp_result plp_scene_start(plp_scene scene, const plp_servo_options* options) {

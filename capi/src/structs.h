@@ -82,6 +82,16 @@ void write_struct(T value, T* output, const char* name) {
   std::memcpy(static_cast<void*>(output), &value, std::min<std::size_t>(size, sizeof(T)));
 }
 
+// Fills a caller's struct of `size` bytes, which is what its program was built with: a program with an older
+// header is not overrun, and what only a newer header has is zero.
+template <class T>
+void fill_struct(T value, T* output, std::size_t size) {
+  if (!output || size < sizeof value.struct_size || size > kLargestSize) return;
+  value.struct_size = static_cast<std::uint32_t>(size);
+  std::memset(static_cast<void*>(output), 0, size);
+  std::memcpy(static_cast<void*>(output), &value, std::min(size, sizeof(T)));
+}
+
 // The number in an enum field, which a caller may have filled with any.
 template <class Enum>
 std::int32_t raw_enum(const Enum& field) {

@@ -14,7 +14,7 @@ std::vector<plp_device_info> listed_devices() {
   std::size_t count = 0;
   check(plp_device_list(nullptr, 0, &count));
   std::vector<plp_device_info> infos(count);
-  for (plp_device_info& info : infos) plp_device_info_init(&info);
+  for (plp_device_info& info : infos) plp_device_info_init(&info, sizeof info);
   const std::size_t room = infos.size();
   check(plp_device_list(infos.data(), room, &count));
   infos.resize(std::min(room, count));

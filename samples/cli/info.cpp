@@ -120,7 +120,7 @@ void print_table(plp_model model, const plp_model_info& info) {
 void run_info(const InfoArguments& arguments) {
   const OwnedModel model = load_model(arguments.model);
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   check(plp_model_get_info(model.get(), &info));
   if (arguments.json) {
     print_json(model.get(), info);

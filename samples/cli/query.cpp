@@ -91,14 +91,14 @@ void run_query(const QueryArguments& arguments) {
   check(plp_query_result_create(result.receive()));
 
   plp_query_options options;
-  plp_query_options_init(&options);
+  plp_query_options_init(&options, sizeof options);
   options.cutoff = arguments.cutoff;
   options.stiffness = arguments.stiffness;
   const plp_pose pose = pose_of(arguments.pose);
   check(plp_query(a.get(), b.get(), &pose, &options, result.get()));
 
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   check(plp_query_result_get(result.get(), &contacts));
   if (arguments.json) {
     print_json(contacts);

@@ -62,8 +62,8 @@ class Reference {
   static Comparison scale_of(const RunArguments& arguments, const RunModels& models) {
     constexpr double kOnePoint = 1e-9;  // of the body's diagonal
     plp_model_info body, tool;
-    plp_model_info_init(&body);
-    plp_model_info_init(&tool);
+    plp_model_info_init(&body, sizeof body);
+    plp_model_info_init(&tool, sizeof tool);
     check(plp_model_get_info(models.body.get(), &body));
     check(plp_model_get_info(models.tool.get(), &tool));
     const double force = arguments.stiffness * arguments.cutoff;

@@ -19,7 +19,7 @@ plp_law law_of(const std::string& name) {
 
 Stage::Stage(const RunArguments& arguments, plp_mode mode, const RunModels& models) {
   plp_scene_options options;
-  plp_scene_options_init(&options);
+  plp_scene_options_init(&options, sizeof options);
   options.cutoff = arguments.cutoff;
   options.stiffness = arguments.stiffness;
   options.law = law_of(arguments.law);
@@ -46,7 +46,7 @@ Tick Stage::step(const TimedPose& at) {
 
 void Stage::start(double rate) {
   plp_servo_options options;
-  plp_servo_options_init(&options);
+  plp_servo_options_init(&options, sizeof options);
   options.rate = rate;
   check(plp_scene_start(scene_.get(), &options));
 }
@@ -60,21 +60,21 @@ Tick Stage::newest(const TimedPose& at) const {
 plp_servo_state Stage::stop() {
   check(plp_scene_stop(scene_.get()));
   plp_servo_state state;
-  plp_servo_state_init(&state);
+  plp_servo_state_init(&state, sizeof state);
   check(plp_scene_get_servo(scene_.get(), &state));
   return state;
 }
 
 plp_contacts Stage::contacts() const {
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   check(plp_scene_get_contacts(scene_.get(), &contacts));
   return contacts;
 }
 
 plp_body Stage::add(const OwnedModel& model, plp_body_kind kind) {
   plp_body_options options;
-  plp_body_options_init(&options);
+  plp_body_options_init(&options, sizeof options);
   options.kind = kind;
   options.model = model.get();
   plp_body body = 0;

@@ -68,7 +68,7 @@ static plp_model load(const char* folder, const char* name) {
 
 static double diagonal(plp_model model) {
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   check(plp_model_get_info(model, &info));
   return info.diagonal;
 }
@@ -88,14 +88,14 @@ static void write_lmds(const plp_contacts* contacts) {
 static void query(plp_model body, plp_model tool, uint64_t count, double distance) {
   plp_query_options options;
   plp_query_result result;
-  plp_query_options_init(&options);
+  plp_query_options_init(&options, sizeof options);
   options.cutoff = CUTOFF * distance;
   check(plp_query_result_create(&result));
   write_count(count);
   for (uint64_t i = 0; i < count; ++i) {
     const plp_pose pose = pose_at(97 * i, distance);
     plp_contacts contacts;
-    plp_contacts_init(&contacts);
+    plp_contacts_init(&contacts, sizeof contacts);
     check(plp_query(body, tool, &pose, &options, result));
     check(plp_query_result_get(result, &contacts));
     write_pose(&pose);
@@ -111,7 +111,7 @@ static void query(plp_model body, plp_model tool, uint64_t count, double distanc
 static plp_body add(plp_scene scene, plp_model model, plp_body_kind kind) {
   plp_body_options options;
   plp_body body;
-  plp_body_options_init(&options);
+  plp_body_options_init(&options, sizeof options);
   options.model = model;
   options.kind = kind;
   check(plp_scene_add_body(scene, &options, &body));
@@ -122,7 +122,7 @@ static void step(plp_model body, plp_model tool, plp_mode mode, uint64_t count, 
   plp_scene_options options;
   plp_scene scene;
   plp_body held;
-  plp_scene_options_init(&options);
+  plp_scene_options_init(&options, sizeof options);
   options.cutoff = CUTOFF * distance;
   options.mode = mode;
   check(plp_scene_create(&options, &scene));
@@ -132,7 +132,7 @@ static void step(plp_model body, plp_model tool, plp_mode mode, uint64_t count, 
   for (uint64_t i = 0; i < count; ++i) {
     const plp_pose pose = pose_at(i, distance);
     plp_contacts contacts;
-    plp_contacts_init(&contacts);
+    plp_contacts_init(&contacts, sizeof contacts);
     check(plp_scene_set_pose(scene, held, &pose));
     check(plp_scene_step(scene));
     check(plp_scene_get_contacts(scene, &contacts));

@@ -15,7 +15,7 @@ cli::OwnedModel public_model(const Model& model) {
   std::vector<DVec3> positions;
   for (const Vec3& position : mesh.positions) positions.push_back(mesh.frame.metres(DVec3(position)));
   plp_triangles triangles;
-  plp_triangles_init(&triangles);
+  plp_triangles_init(&triangles, sizeof triangles);
   triangles.positions = positions.data();
   triangles.position_type = PLP_TYPE_FLOAT64;
   triangles.vertex_count = positions.size();
@@ -29,7 +29,7 @@ cli::OwnedModel public_model(const Model& model) {
 
 TouchScene::TouchScene(double cutoff, plp_mode mode, Law law, unsigned global_every) {
   plp_scene_options options;
-  plp_scene_options_init(&options);
+  plp_scene_options_init(&options, sizeof options);
   options.cutoff = cutoff;
   options.stiffness = kStiffness;
   options.mode = mode;
@@ -41,7 +41,7 @@ TouchScene::TouchScene(double cutoff, plp_mode mode, Law law, unsigned global_ev
 
 void TouchScene::add_static(plp_model model, const Pose& pose) {
   plp_body_options options;
-  plp_body_options_init(&options);
+  plp_body_options_init(&options, sizeof options);
   options.model = model;
   options.pose = pose_of(pose);
   add(options);
@@ -49,7 +49,7 @@ void TouchScene::add_static(plp_model model, const Pose& pose) {
 
 void TouchScene::add_tool(plp_model model, const DVec3& reference_point) {
   plp_body_options options;
-  plp_body_options_init(&options);
+  plp_body_options_init(&options, sizeof options);
   options.model = model;
   options.kind = PLP_BODY_TOOL;
   for (int axis = 0; axis < 3; ++axis) options.reference_point[axis] = reference_point[axis];
@@ -70,7 +70,7 @@ void TouchScene::step(const Pose& world_from_tool) {
 
 plp_contacts TouchScene::contacts() const {
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   cli::check(plp_scene_get_contacts(scene_.get(), &contacts));
   return contacts;
 }

@@ -93,7 +93,7 @@ static plp_model one_triangle(double x) {
   positions[0] = x, positions[1] = 0.0, positions[2] = 0.0;
   positions[3] = x, positions[4] = 1.0, positions[5] = 0.0;
   positions[6] = x, positions[7] = 0.0, positions[8] = 1.0;
-  plp_triangles_init(&triangles);
+  plp_triangles_init(&triangles, sizeof triangles);
   triangles.positions = positions;
   triangles.position_type = PLP_TYPE_FLOAT64;
   triangles.vertex_count = 3;
@@ -110,10 +110,10 @@ int main(void) {
 
   expect(strcmp(plp_version_string(), "0.1.0") == 0 && plp_version() == 1000, "the versions agree");
   expect(plp_query_result_create(&result) == PLP_OK, "a result can be made");
-  plp_query_options_init(&options);
+  plp_query_options_init(&options, sizeof options);
   options.cutoff = 0.5;
   expect(plp_query(model, model, &apart, &options, result) == PLP_OK, "two triangles can be searched");
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   expect(plp_query_result_get(result, &contacts) == PLP_OK, "the result can be read");
   expect(contacts.set_count == 1 && contacts.min_distance == 0.25, "parallel triangles are one LMD");
   expect(plp_query_result_release(result) == PLP_OK, "the result is released");

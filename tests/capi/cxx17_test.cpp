@@ -10,7 +10,7 @@ static_assert(!std::is_convertible_v<plp_model, plp_scene>, "handles of differen
 
 int main() {
   plp_scene_options options;
-  plp_scene_options_init(&options);
+  plp_scene_options_init(&options, sizeof options);
   options.cutoff = 0.1;
   plp_scene scene = nullptr;
   const bool works = plp_scene_create(&options, &scene) == PLP_OK && plp_scene_step(scene) == PLP_OK &&

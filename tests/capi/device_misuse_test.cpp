@@ -44,9 +44,9 @@ class DeviceMisuse : public testing::Test {
 // Every function of a device, called with one handle and valid arguments.
 void expect_handle_refused(plp_device device) {
   plp_device_info info;
-  plp_device_info_init(&info);
+  plp_device_info_init(&info, sizeof info);
   plp_device_state state;
-  plp_device_state_init(&state);
+  plp_device_state_init(&state, sizeof state);
   const plp_hand_options hand = hand_options();
   const plp_safety_limits limits = safety_limits();
   const double time = 0.0;
@@ -90,11 +90,11 @@ TEST_F(DeviceMisuse, NullPointersAreRefused) {
   expect_refused(plp_device_set_hand(device_.handle, nullptr), "options");
   expect_refused(plp_device_set_hand_poses(device_.handle, nullptr, &pose, 1), "times");
   expect_refused(plp_device_set_hand_poses(device_.handle, &time, nullptr, 1), "poses");
-  plp_device_info_init(nullptr);
-  plp_device_state_init(nullptr);
-  plp_safety_limits_init(nullptr);
-  plp_hand_options_init(nullptr);
-  plp_device_mapping_init(nullptr);
+  plp_device_info_init(nullptr, sizeof(plp_device_info));
+  plp_device_state_init(nullptr, sizeof(plp_device_state));
+  plp_safety_limits_init(nullptr, sizeof(plp_safety_limits));
+  plp_hand_options_init(nullptr, sizeof(plp_hand_options));
+  plp_device_mapping_init(nullptr, sizeof(plp_device_mapping));
 }
 
 TEST_F(DeviceMisuse, StructsOfNoVersionAreRefused) {

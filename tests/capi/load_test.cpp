@@ -96,7 +96,7 @@ TEST_F(LoadTest, NonFinite) {
 
 TEST_F(LoadTest, Options) {
   plp_model_options options;
-  plp_model_options_init(&options);
+  plp_model_options_init(&options, sizeof options);
   options.gltf_scene = 0;
   EXPECT_EQ(load(kTriangle, &options), PLP_OK);
   options.gltf_scene = 1;
@@ -113,7 +113,7 @@ TEST_F(LoadTest, RealModels) {
   ASSERT_EQ(plp_model_load_file((std::string(data) + "/gear_6k.glb").c_str(), nullptr, &model), PLP_OK)
       << plp_last_error();
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   ASSERT_EQ(plp_model_get_info(model, &info), PLP_OK);
   EXPECT_GT(info.source.triangles, 5000u);
   EXPECT_GT(info.load_us, 0.0);

@@ -18,7 +18,7 @@ class MaterialTest : public testing::Test {
   static plp_scene_options options() { return TestScene::options_with(kCutoff); }
   static plp_body_options body_options(plp_model model, plp_body_kind kind, const plp_pose& pose) {
     plp_body_options options;
-    plp_body_options_init(&options);
+    plp_body_options_init(&options, sizeof options);
     options.model = model;
     options.kind = kind;
     options.pose = pose;

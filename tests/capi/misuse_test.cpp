@@ -31,14 +31,14 @@ class Misuse : public testing::Test {
  protected:
   plp_query_options query_options() const {
     plp_query_options options;
-    plp_query_options_init(&options);
+    plp_query_options_init(&options, sizeof options);
     options.cutoff = 0.1;
     return options;
   }
 
   plp_body_options body_options() const {
     plp_body_options options;
-    plp_body_options_init(&options);
+    plp_body_options_init(&options, sizeof options);
     options.model = model_.handle;
     return options;
   }
@@ -61,9 +61,9 @@ class Misuse : public testing::Test {
 
 TEST_F(Misuse, NullHandlesAreRefusedButReleased) {
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   const plp_pose pose = at(0, 0, 0);
   const plp_query_options options = query_options();
   plp_pose read;
@@ -153,13 +153,13 @@ TEST_F(Misuse, NullPointersAreRefused) {
 }
 
 TEST_F(Misuse, InitFunctionsBearNull) {
-  plp_model_options_init(nullptr);
-  plp_triangles_init(nullptr);
-  plp_model_info_init(nullptr);
-  plp_contacts_init(nullptr);
-  plp_query_options_init(nullptr);
-  plp_scene_options_init(nullptr);
-  plp_body_options_init(nullptr);
+  plp_model_options_init(nullptr, sizeof(plp_model_options));
+  plp_triangles_init(nullptr, sizeof(plp_triangles));
+  plp_model_info_init(nullptr, sizeof(plp_model_info));
+  plp_contacts_init(nullptr, sizeof(plp_contacts));
+  plp_query_options_init(nullptr, sizeof(plp_query_options));
+  plp_scene_options_init(nullptr, sizeof(plp_scene_options));
+  plp_body_options_init(nullptr, sizeof(plp_body_options));
   EXPECT_EQ(plp_scene_step(scene_.handle), PLP_OK);
 }
 
@@ -303,7 +303,7 @@ TEST_F(Misuse, ModelOptionsAreChecked) {
   };
   for (const auto& [spoil, name] : cases) {
     plp_model_options options;
-    plp_model_options_init(&options);
+    plp_model_options_init(&options, sizeof options);
     spoil(options);
     plp_model model = nullptr;
     expect_refused(plp_model_create_from_triangles(&triangles, &options, &model), name);
@@ -317,6 +317,51 @@ struct Longer {
   T known;
   unsigned char tail[16] = {};
 };
+
+// Whatever size a program was built with, no byte behind it is written, and what this version does not know
+// is zero.
+template <class T>
+void expect_fills(void (*init)(T*, std::size_t)) {
+  constexpr unsigned char kUntouched = 0xA5;
+  T whole;
+  init(&whole, sizeof whole);
+  EXPECT_EQ(whole.struct_size, sizeof whole);
+  for (const std::size_t size : {std::size_t{4}, sizeof(T) - 8, sizeof(T), sizeof(T) + 32}) {
+    alignas(T) unsigned char bytes[sizeof(T) + 64];
+    std::memset(bytes, kUntouched, sizeof bytes);
+    init(reinterpret_cast<T*>(bytes), size);
+    std::uint32_t told = 0;
+    std::memcpy(&told, bytes, sizeof told);
+    EXPECT_EQ(told, size);
+    const std::size_t known = std::min(size, sizeof(T));
+    EXPECT_EQ(std::memcmp(bytes + 4, reinterpret_cast<unsigned char*>(&whole) + 4, known - 4), 0) << size;
+    for (std::size_t i = known; i < sizeof bytes; ++i) EXPECT_EQ(bytes[i], i < size ? 0 : kUntouched) << i;
+  }
+  T left_alone;
+  std::memset(static_cast<void*>(&left_alone), kUntouched, sizeof left_alone);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{5000}, SIZE_MAX}) {
+    init(&left_alone, size);
+    EXPECT_EQ(left_alone.struct_size, 0xA5A5A5A5u) << size;
+  }
+  init(nullptr, sizeof(T));
+}
+
+TEST_F(Misuse, InitFunctionsWriteNoMoreThanTheirCallersStruct) {
+  expect_fills(plp_model_options_init);
+  expect_fills(plp_triangles_init);
+  expect_fills(plp_model_info_init);
+  expect_fills(plp_contacts_init);
+  expect_fills(plp_query_options_init);
+  expect_fills(plp_scene_options_init);
+  expect_fills(plp_body_options_init);
+  expect_fills(plp_servo_options_init);
+  expect_fills(plp_servo_state_init);
+  expect_fills(plp_device_info_init);
+  expect_fills(plp_device_state_init);
+  expect_fills(plp_safety_limits_init);
+  expect_fills(plp_hand_options_init);
+  expect_fills(plp_device_mapping_init);
+}
 
 TEST_F(Misuse, InputStructSizes) {
   const plp_pose pose = at(0, 0, 0);
@@ -340,7 +385,7 @@ TEST_F(Misuse, EveryInputStructHasItsSizeChecked) {
   const Shape shape = box(1, 1, 1);
   plp_triangles triangles = triangles_of(shape);
   plp_model_options model_options;
-  plp_model_options_init(&model_options);
+  plp_model_options_init(&model_options, sizeof model_options);
   plp_scene_options scene_options = TestScene::options_with(0.1);
   plp_body_options placed = body_options();
   plp_model model = nullptr;
@@ -358,7 +403,7 @@ TEST_F(Misuse, EveryInputStructHasItsSizeChecked) {
 
 TEST_F(Misuse, OutputStructSizes) {
   Longer<plp_model_info> longer;
-  plp_model_info_init(&longer.known);
+  plp_model_info_init(&longer.known, sizeof longer.known);
   std::memset(longer.tail, 0xab, sizeof longer.tail);
   for (const std::uint32_t size : {0u, 8u, 287u, 5000u}) {
     longer.known.struct_size = size;
@@ -371,7 +416,7 @@ TEST_F(Misuse, OutputStructSizes) {
   EXPECT_EQ(longer.known.searched.triangles, 12u);
   EXPECT_EQ(longer.tail[0], 0xab);
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   contacts.struct_size = 215;
   expect_refused(plp_query_result_get(query_.handle, &contacts), "struct_size");
   expect_refused(plp_scene_get_contacts(scene_.handle, &contacts), "struct_size");

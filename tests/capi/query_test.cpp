@@ -13,7 +13,7 @@ class QueryTest : public testing::Test {
   }
 
   void SetUp() override {
-    plp_query_options_init(&options_);
+    plp_query_options_init(&options_, sizeof options_);
     options_.cutoff = 0.2;
   }
 

@@ -17,7 +17,7 @@ class SceneTest : public testing::Test {
 
   std::uint64_t tree_nodes(const TestModel& model) {
     plp_model_info info;
-    plp_model_info_init(&info);
+    plp_model_info_init(&info, sizeof info);
     EXPECT_EQ(plp_model_get_info(model.handle, &info), PLP_OK);
     return info.tree_nodes;
   }
@@ -53,7 +53,7 @@ TEST_F(SceneTest, ContactsNameTheirBodiesAndNumberTheirSets) {
 TEST_F(SceneTest, StiffnessOfABodyReplacesThatOfTheScene) {
   scene_.add(box_.handle, PLP_BODY_TOOL, at(1.125, 0, 0));
   plp_body_options options;
-  plp_body_options_init(&options);
+  plp_body_options_init(&options, sizeof options);
   options.model = box_.handle;
   options.stiffness = 300.0;
   plp_body body = 0;
@@ -147,7 +147,7 @@ TEST_F(SceneTest, OutcomeIsKeptUntilTheNextStep) {
   scene_.step();
   ASSERT_EQ(plp_scene_remove_body(scene_.handle, body), PLP_OK);
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   ASSERT_EQ(plp_scene_get_contacts(scene_.handle, &contacts), PLP_OK);
   EXPECT_EQ(contacts.set_count, 1u);
   EXPECT_EQ(scene_.step().set_count, 0u);

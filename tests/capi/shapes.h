@@ -52,7 +52,7 @@ inline Shape torus(double ring, double tube, std::uint32_t around, std::uint32_t
 // Valid as long as `shape`.
 inline plp_triangles triangles_of(const Shape& shape) {
   plp_triangles triangles;
-  plp_triangles_init(&triangles);
+  plp_triangles_init(&triangles, sizeof triangles);
   triangles.positions = shape.positions.data();
   triangles.vertex_count = shape.positions.size();
   triangles.indices = shape.triangles.data();
@@ -84,7 +84,7 @@ class TestQuery {
 
   plp_contacts contacts() const {
     plp_contacts read;
-    plp_contacts_init(&read);
+    plp_contacts_init(&read, sizeof read);
     EXPECT_EQ(plp_query_result_get(handle, &read), PLP_OK);
     return read;
   }
@@ -105,7 +105,7 @@ class TestScene {
 
   static plp_scene_options options_with(double cutoff) {
     plp_scene_options options;
-    plp_scene_options_init(&options);
+    plp_scene_options_init(&options, sizeof options);
     options.cutoff = cutoff;
     options.law = PLP_LAW_SPRINGS;
     return options;
@@ -113,7 +113,7 @@ class TestScene {
 
   plp_body add(plp_model model, plp_body_kind kind, const plp_pose& pose) {
     plp_body_options options;
-    plp_body_options_init(&options);
+    plp_body_options_init(&options, sizeof options);
     options.model = model;
     options.kind = kind;
     options.pose = pose;
@@ -125,7 +125,7 @@ class TestScene {
   plp_contacts step() {
     EXPECT_EQ(plp_scene_step(handle), PLP_OK) << plp_last_error();
     plp_contacts read;
-    plp_contacts_init(&read);
+    plp_contacts_init(&read, sizeof read);
     EXPECT_EQ(plp_scene_get_contacts(handle, &read), PLP_OK);
     return read;
   }

@@ -14,7 +14,7 @@ plp_pose slide(int step) {
 
 std::uint64_t tree_bytes(const TestModel& model) {
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   EXPECT_EQ(plp_model_get_info(model.handle, &info), PLP_OK);
   return info.tree_bytes;
 }

@@ -64,7 +64,7 @@ class SpaceTest : public testing::TestWithParam<NamedSpace> {
     scene.add(box_.handle, PLP_BODY_MOVING,
               pose_in(space, glm::dquat(0.9, -0.3, 0.1, 0.2), {1.35, -0.1, 0.3}));
     plp_body_options tool;
-    plp_body_options_init(&tool);
+    plp_body_options_init(&tool, sizeof tool);
     tool.kind = PLP_BODY_TOOL;
     tool.model = torus_.handle;
     tool.pose = pose_in(space, glm::dquat(0.8, 0.3, -0.4, 0.1), {0.05, 0.02, 0.1});

@@ -19,7 +19,7 @@ TEST(Threads, ShareOneModel) {
   in_threads(4, [&](int thread) {
     TestQuery query;
     plp_query_options options;
-    plp_query_options_init(&options);
+    plp_query_options_init(&options, sizeof options);
     options.cutoff = 0.2;
     for (int i = 0; i < 20; ++i) {
       const plp_pose pose = at(2.55 + 0.001 * i, 0.01 * thread, 0);
@@ -58,7 +58,7 @@ TEST(Threads, ReleaseWhileInUse) {
         return;
       }
       plp_model_info info;
-      plp_model_info_init(&info);
+      plp_model_info_init(&info, sizeof info);
       const plp_result result = plp_model_get_info(model, &info);
       const bool expected =
           result == PLP_OK ? info.searched.triangles == 12 : result == PLP_ERROR_INVALID_HANDLE;

@@ -9,7 +9,7 @@ namespace {
 
 plp_model_info info_of(plp_model model) {
   plp_model_info info;
-  plp_model_info_init(&info);
+  plp_model_info_init(&info, sizeof info);
   EXPECT_EQ(plp_model_get_info(model, &info), PLP_OK);
   return info;
 }
@@ -140,7 +140,7 @@ TEST_F(Triangles, ImpossibleBuffersAreRefused) {
 
 TEST_F(Triangles, LimitOfTheOptions) {
   plp_model_options options;
-  plp_model_options_init(&options);
+  plp_model_options_init(&options, sizeof options);
   options.max_triangles = 11;
   EXPECT_EQ(create(triangles_, &options), PLP_ERROR_LIMIT);
   options.max_triangles = 12;
@@ -192,7 +192,7 @@ TEST_F(Triangles, FlagsReachTheMesh) {
   EXPECT_EQ(info_of(turned.handle).flipped_components, 1u);
 
   plp_model_options options;
-  plp_model_options_init(&options);
+  plp_model_options_init(&options, sizeof options);
   options.flags = PLP_MODEL_DOUBLE_SIDED | PLP_MODEL_KEEP_WINDING;
   plp_model kept = nullptr;
   ASSERT_EQ(plp_model_create_from_triangles(&triangles_, &options, &kept), PLP_OK);

@@ -32,7 +32,7 @@ static void fill(void) {
 }
 
 static int build(void* library) {
-  void (*plp_triangles_init_found)(plp_triangles*);
+  void (*plp_triangles_init_found)(plp_triangles*, size_t);
   plp_result (*plp_model_create_from_triangles_found)(const plp_triangles*, const plp_model_options*,
                                                       plp_model*);
   plp_result (*plp_model_prepare_found)(plp_model);
@@ -44,7 +44,7 @@ static int build(void* library) {
   FIND(library, plp_model_prepare);
   FIND(library, plp_model_release);
   fill();
-  plp_triangles_init_found(&triangles);
+  plp_triangles_init_found(&triangles, sizeof triangles);
   triangles.positions = positions;
   triangles.vertex_count = 3 * SIDE * SIDE;
   if (plp_model_create_from_triangles_found(&triangles, NULL, &model) != PLP_OK) return fail("no model");

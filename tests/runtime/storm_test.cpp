@@ -94,7 +94,7 @@ class Storm {
     for (int i = 0; i < 40; ++i) {
       if (bodies.size() < 8) {
         plp_body_options options;
-        plp_body_options_init(&options);
+        plp_body_options_init(&options, sizeof options);
         options.model = dice.below(2) ? ring_.handle : cube_.handle;
         options.kind = dice.below(2) ? PLP_BODY_STATIC : PLP_BODY_MOVING;
         options.pose = dice.pose(3.0);
@@ -120,7 +120,7 @@ class Storm {
   // Takes the tool away and puts another in its place; slides it over the ring.
   void move_tools(Dice& dice) {
     plp_body_options options;
-    plp_body_options_init(&options);
+    plp_body_options_init(&options, sizeof options);
     options.kind = PLP_BODY_TOOL;
     options.model = dice.below(2) ? cube_.handle : small_ring_.handle;
     options.pose = at(1.7, 0, 0);
@@ -148,18 +148,18 @@ class Storm {
     plp_device device = nullptr;
     expect(plp_device_open(dice.below(2) ? "sim:premium6dof" : "sim:touch", &device));
     plp_hand_options hand;
-    plp_hand_options_init(&hand);
+    plp_hand_options_init(&hand, sizeof hand);
     hand.script = PLP_HAND_SLIDE;
     hand.period = 0.05;
     expect(plp_device_set_hand(device, &hand));
     plp_device_mapping mapping;
-    plp_device_mapping_init(&mapping);
+    plp_device_mapping_init(&mapping, sizeof mapping);
     mapping.scene_from_base.position[0] = 1.7;
     expect(plp_scene_set_device(scene_.handle, device, &mapping));
     expect(plp_device_arm(device));
     for (int i = 0; i < 20; ++i) {
       plp_device_state state;
-      plp_device_state_init(&state);
+      plp_device_state_init(&state, sizeof state);
       expect(plp_device_get_state(device, &state));
       if (dice.below(8) == 0) expect(plp_device_disarm(device));
       if (dice.below(8) == 0) expect(plp_device_place_in_hand(device));
@@ -171,7 +171,7 @@ class Storm {
 
   void start_and_stop(Dice& dice) {
     plp_servo_options options;
-    plp_servo_options_init(&options);
+    plp_servo_options_init(&options, sizeof options);
     options.rate = 500.0 * static_cast<double>(1 + dice.below(3));
     options.priority = -1;
     expect(plp_scene_start(scene_.handle, &options));
@@ -188,7 +188,7 @@ class Storm {
   void read_contacts(Dice& dice) {
     if (dice.below(3) == 0) expect(plp_scene_step(scene_.handle), PLP_ERROR_WRONG_STATE);
     plp_contacts contacts;
-    plp_contacts_init(&contacts);
+    plp_contacts_init(&contacts, sizeof contacts);
     expect(plp_scene_get_contacts(scene_.handle, &contacts));
     ++outcomes_;
     points_ += contacts.lmd_count;
@@ -198,7 +198,7 @@ class Storm {
 
   void read_servo(Dice&) {
     plp_servo_state state;
-    plp_servo_state_init(&state);
+    plp_servo_state_init(&state, sizeof state);
     expect(plp_scene_get_servo(scene_.handle, &state));
     if (state.ticks > ticks_) ticks_ = state.ticks;
     if (state.work_us[0] > state.work_us[3]) ++surprises_;
@@ -254,7 +254,7 @@ TEST(Storm, ReleaseStopsTheServo) {
     scene.add(cube.handle, PLP_BODY_STATIC, at(0, 0, 0));
     scene.add(cube.handle, PLP_BODY_TOOL, at(0.6, 0, 0));
     plp_servo_options options;
-    plp_servo_options_init(&options);
+    plp_servo_options_init(&options, sizeof options);
     options.priority = -1;
     ASSERT_EQ(plp_scene_start(scene.handle, &options), PLP_OK);
     EXPECT_GT(thread_count(), before);
@@ -265,7 +265,7 @@ TEST(Storm, ReleaseStopsTheServo) {
 TEST(Servo, RefusesWhatItCannotDo) {
   TestScene scene(kCutoff);
   plp_servo_options options;
-  plp_servo_options_init(&options);
+  plp_servo_options_init(&options, sizeof options);
   for (const double rate : {-1.0, 0.5, 1e6, std::nan("")}) {
     options.rate = rate;
     EXPECT_EQ(plp_scene_start(scene.handle, &options), PLP_ERROR_INVALID_ARGUMENT) << rate;
@@ -294,7 +294,7 @@ TEST(Servo, RefusesWhatItCannotDo) {
   EXPECT_EQ(plp_shutdown_all(), PLP_OK);
   EXPECT_EQ(plp_scene_step(scene.handle), PLP_OK);
   plp_servo_state state;
-  plp_servo_state_init(&state);
+  plp_servo_state_init(&state, sizeof state);
   EXPECT_EQ(plp_scene_get_servo(scene.handle, &state), PLP_OK);
   state.struct_size = 8;
   EXPECT_EQ(plp_scene_get_servo(scene.handle, &state), PLP_ERROR_INVALID_ARGUMENT);

@@ -24,7 +24,7 @@ TEST(Unload, LeavesTheServoItsCode) {
     ASSERT_NE(library, nullptr) << dlerror();
     plp_scene_options options;
     plp_scene scene = nullptr;
-    FUNCTION_OF(library, plp_scene_options_init)(&options);
+    FUNCTION_OF(library, plp_scene_options_init)(&options, sizeof options);
     options.cutoff = 0.1;
     ASSERT_EQ(FUNCTION_OF(library, plp_scene_create)(&options, &scene), PLP_OK);
     ASSERT_EQ(FUNCTION_OF(library, plp_scene_start)(scene, nullptr), PLP_OK);

@@ -22,7 +22,7 @@ namespace Palpate
         {
             fixed (Raw.plp_body_options* options = &Struct)
             {
-                Raw.plp_body_options_init(options);
+                Raw.plp_body_options_init(options, (UIntPtr)sizeof(Raw.plp_body_options));
             }
         }
 

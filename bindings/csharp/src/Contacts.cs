@@ -15,7 +15,7 @@ namespace Palpate
         {
             fixed (Raw.plp_contacts* contacts = &Struct)
             {
-                Raw.plp_contacts_init(contacts);
+                Raw.plp_contacts_init(contacts, (UIntPtr)sizeof(Raw.plp_contacts));
             }
         }
     }

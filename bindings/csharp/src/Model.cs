@@ -13,7 +13,7 @@ namespace Palpate
         {
             fixed (Raw.plp_model_options* options = &Struct)
             {
-                Raw.plp_model_options_init(options);
+                Raw.plp_model_options_init(options, (UIntPtr)sizeof(Raw.plp_model_options));
             }
         }
 
@@ -165,7 +165,7 @@ namespace Palpate
             RequireThrees(numbers, nameof(positions));
             RequireThrees(indices.Length, nameof(indices));
             Raw.plp_triangles triangles;
-            Raw.plp_triangles_init(&triangles);
+            Raw.plp_triangles_init(&triangles, (UIntPtr)sizeof(Raw.plp_triangles));
             triangles.positions = positions;
             triangles.position_type = type;
             triangles.vertex_count = (UIntPtr)(uint)(numbers / 3);
@@ -194,7 +194,7 @@ namespace Palpate
         private Raw.plp_model_info GetInfo()
         {
             Raw.plp_model_info info;
-            Raw.plp_model_info_init(&info);
+            Raw.plp_model_info_init(&info, (UIntPtr)sizeof(Raw.plp_model_info));
             PalpateException.Check(Raw.plp_model_get_info(handle.Value, &info));
             GC.KeepAlive(this);
             return info;

@@ -12,7 +12,7 @@ namespace Palpate
         {
             fixed (Raw.plp_query_options* options = &Struct)
             {
-                Raw.plp_query_options_init(options);
+                Raw.plp_query_options_init(options, (UIntPtr)sizeof(Raw.plp_query_options));
             }
         }
 

@@ -452,7 +452,7 @@ namespace Palpate
         public static extern void plp_set_log_callback(IntPtr callback, void* user);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_model_options_init(plp_model_options* options);
+        public static extern void plp_model_options_init(plp_model_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_model_load_file(byte* path, plp_model_options* options, IntPtr* model);
@@ -462,7 +462,7 @@ namespace Palpate
                                                        plp_model_options* options, IntPtr* model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_triangles_init(plp_triangles* triangles);
+        public static extern void plp_triangles_init(plp_triangles* triangles, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_model_create_from_triangles(plp_triangles* triangles, plp_model_options* options,
@@ -475,7 +475,7 @@ namespace Palpate
         public static extern int plp_model_release(IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_model_info_init(plp_model_info* info);
+        public static extern void plp_model_info_init(plp_model_info* info, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_model_get_info(IntPtr model, plp_model_info* info);
@@ -487,7 +487,7 @@ namespace Palpate
         public static extern int plp_model_prepare(IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_contacts_init(plp_contacts* contacts);
+        public static extern void plp_contacts_init(plp_contacts* contacts, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_query_result_create(IntPtr* result);
@@ -496,7 +496,7 @@ namespace Palpate
         public static extern int plp_query_result_release(IntPtr result);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_query_options_init(plp_query_options* options);
+        public static extern void plp_query_options_init(plp_query_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_query(IntPtr a, IntPtr b, plp_pose* a_from_b, plp_query_options* options,
@@ -506,7 +506,7 @@ namespace Palpate
         public static extern int plp_query_result_get(IntPtr result, plp_contacts* contacts);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_scene_options_init(plp_scene_options* options);
+        public static extern void plp_scene_options_init(plp_scene_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_create(plp_scene_options* options, IntPtr* scene);
@@ -515,7 +515,7 @@ namespace Palpate
         public static extern int plp_scene_release(IntPtr scene);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_body_options_init(plp_body_options* options);
+        public static extern void plp_body_options_init(plp_body_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_add_body(IntPtr scene, plp_body_options* options, ulong* body);
@@ -557,7 +557,7 @@ namespace Palpate
         public static extern int plp_scene_get_contacts(IntPtr scene, plp_contacts* contacts);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_servo_options_init(plp_servo_options* options);
+        public static extern void plp_servo_options_init(plp_servo_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_start(IntPtr scene, plp_servo_options* options);
@@ -566,7 +566,7 @@ namespace Palpate
         public static extern int plp_scene_stop(IntPtr scene);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_servo_state_init(plp_servo_state* state);
+        public static extern void plp_servo_state_init(plp_servo_state* state, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_get_servo(IntPtr scene, plp_servo_state* state);
@@ -575,7 +575,7 @@ namespace Palpate
         public static extern int plp_shutdown_all();
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_device_info_init(plp_device_info* info);
+        public static extern void plp_device_info_init(plp_device_info* info, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_list(plp_device_info* infos, UIntPtr capacity, UIntPtr* count);
@@ -593,7 +593,7 @@ namespace Palpate
         public static extern int plp_device_get_info(IntPtr device, plp_device_info* info);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_device_state_init(plp_device_state* state);
+        public static extern void plp_device_state_init(plp_device_state* state, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_get_state(IntPtr device, plp_device_state* state);
@@ -605,13 +605,13 @@ namespace Palpate
         public static extern int plp_device_disarm(IntPtr device);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_safety_limits_init(plp_safety_limits* limits);
+        public static extern void plp_safety_limits_init(plp_safety_limits* limits, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_set_limits(IntPtr device, plp_safety_limits* limits);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_hand_options_init(plp_hand_options* options);
+        public static extern void plp_hand_options_init(plp_hand_options* options, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_set_hand(IntPtr device, plp_hand_options* options);
@@ -624,7 +624,7 @@ namespace Palpate
         public static extern int plp_device_place_in_hand(IntPtr device);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void plp_device_mapping_init(plp_device_mapping* mapping);
+        public static extern void plp_device_mapping_init(plp_device_mapping* mapping, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_set_device(IntPtr scene, IntPtr device, plp_device_mapping* mapping);

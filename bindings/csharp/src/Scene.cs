@@ -35,7 +35,7 @@ namespace Palpate
         {
             fixed (Raw.plp_scene_options* options = &Struct)
             {
-                Raw.plp_scene_options_init(options);
+                Raw.plp_scene_options_init(options, (UIntPtr)sizeof(Raw.plp_scene_options));
             }
         }
 

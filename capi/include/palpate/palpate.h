@@ -12,8 +12,10 @@
  * remark, negative is an error. plp_last_error() has one sentence for the last error of the calling thread.
  * After an error nothing has changed and outputs are untouched, unless a function says otherwise.
  *
- * **Growing structs.** Structs that may grow start with `struct_size`. Fill one with its `plp_*_init()` and
- * change what you need. Zero in a field that was appended later means the behaviour from before it existed.
+ * **Growing structs.** Structs that may grow start with `struct_size`. Fill one with its `plp_*_init()`,
+ * which is told `sizeof` the struct as your program knows it and writes no more than that, and change what
+ * you need. A null struct and a size that no version has are left alone. Zero in a field that was appended
+ * later means the behaviour from before it existed.
  *
  * **Handles.** A handle is an opaque value, never an address: using one after its release, or one of another
  * kind, is PLP_ERROR_INVALID_HANDLE and never a crash. The null handle is invalid everywhere but in release
@@ -162,7 +164,7 @@ enum {
 };
 
 /** @brief Fills `options` with the defaults. @threadsafety any @since 0.1 */
-PLP_API void plp_model_options_init(plp_model_options* options);
+PLP_API void plp_model_options_init(plp_model_options* options, size_t size);
 
 /**
  * @brief Loads the triangles of a .gltf or .glb file: the whole scene baked into one model. Images, textures
@@ -212,7 +214,7 @@ typedef struct plp_triangles {
 
 /** @brief Fills `triangles`: float32 positions, uint32 indices, Palpate's space, no data. @threadsafety any
  * @since 0.1 */
-PLP_API void plp_triangles_init(plp_triangles* triangles);
+PLP_API void plp_triangles_init(plp_triangles* triangles, size_t size);
 
 /**
  * @brief Makes a model from triangles in the caller's memory.
@@ -276,7 +278,7 @@ typedef struct plp_model_info {
 } plp_model_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
-PLP_API void plp_model_info_init(plp_model_info* info);
+PLP_API void plp_model_info_init(plp_model_info* info, size_t size);
 
 /** @brief Tells what a model is. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
  *  @threadsafety any @since 0.1 */
@@ -379,7 +381,7 @@ typedef struct plp_contacts {
 } plp_contacts;
 
 /** @brief Fills `contacts` with zeros and its size. @threadsafety any @since 0.1 */
-PLP_API void plp_contacts_init(plp_contacts* contacts);
+PLP_API void plp_contacts_init(plp_contacts* contacts, size_t size);
 
 /* ------------------------------------------------------------------------------------------------------------
  * query */
@@ -419,7 +421,7 @@ typedef struct plp_query_options {
 /** @brief Fills `options`: no cutoff yet, 1000 N/m, PLP_LAW_SPRINGS, torques about B's origin, up to 1024
  * overlaps.
  *  @threadsafety any @since 0.1 */
-PLP_API void plp_query_options_init(plp_query_options* options);
+PLP_API void plp_query_options_init(plp_query_options* options, size_t size);
 
 /**
  * @brief Finds every local minimum distance within the cutoff between two models at one pose, and the wrench
@@ -482,7 +484,7 @@ typedef struct plp_scene_options {
 /** @brief Fills `options`: Palpate's space, no cutoff yet, PLP_LAW_SMOOTH, 1000 N/m without damping, friction
  * or cap, fading in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
  *  @threadsafety any @since 0.1 */
-PLP_API void plp_scene_options_init(plp_scene_options* options);
+PLP_API void plp_scene_options_init(plp_scene_options* options, size_t size);
 
 /** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or
  * _OUT_OF_MEMORY.
@@ -514,7 +516,7 @@ typedef struct plp_body_options {
 } plp_body_options;
 
 /** @brief Fills `options`: static, identity pose, the scene's stiffness. @threadsafety any @since 0.1 */
-PLP_API void plp_body_options_init(plp_body_options* options);
+PLP_API void plp_body_options_init(plp_body_options* options, size_t size);
 
 /** @brief Adds a body. The scene keeps the model.
  *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT (also for a second tool), _LIMIT or _OUT_OF_MEMORY.
@@ -592,7 +594,7 @@ typedef struct plp_servo_options {
 
 /** @brief Fills `options`: 1000 steps a second, real-time priority if the system allows, any processor.
  *  @threadsafety any @since 0.1 */
-PLP_API void plp_servo_options_init(plp_servo_options* options);
+PLP_API void plp_servo_options_init(plp_servo_options* options, size_t size);
 
 /**
  * @brief Starts a scene's servo: a thread of this library that steps the scene at a fixed rate, and another
@@ -637,7 +639,7 @@ typedef struct plp_servo_state {
 } plp_servo_state;
 
 /** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */
-PLP_API void plp_servo_state_init(plp_servo_state* state);
+PLP_API void plp_servo_state_init(plp_servo_state* state, size_t size);
 
 /** @brief Tells how a scene's servo runs. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
  *  @threadsafety any @since 0.1 */
@@ -691,7 +693,7 @@ typedef struct plp_device_info {
 } plp_device_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
-PLP_API void plp_device_info_init(plp_device_info* info);
+PLP_API void plp_device_info_init(plp_device_info* info, size_t size);
 
 /**
  * @brief Lists the devices that could be opened now. Limits that only an open device tells are zero.
@@ -771,7 +773,7 @@ typedef struct plp_device_state {
 } plp_device_state;
 
 /** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */
-PLP_API void plp_device_state_init(plp_device_state* state);
+PLP_API void plp_device_state_init(plp_device_state* state, size_t size);
 
 /** @brief Reads the state of the device's last tick: a step of the scene that has it. Before the first one it
  * is that of its opening. Waits for no tick. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
@@ -802,7 +804,7 @@ typedef struct plp_safety_limits {
 } plp_safety_limits;
 
 /** @brief Fills `limits`: the device's own, no dead-man button. @threadsafety any @since 0.1 */
-PLP_API void plp_safety_limits_init(plp_safety_limits* limits);
+PLP_API void plp_safety_limits_init(plp_safety_limits* limits, size_t size);
 
 /** @brief Tightens the limits from the next tick on, from the device's own and not from those before.
  *  @return PLP_ERROR_INVALID_ARGUMENT for one that is looser than the device's own, or for a button that it
@@ -851,7 +853,7 @@ typedef struct plp_hand_options {
 
 /** @brief Fills `options`: a light hand that holds the handle at the middle of the workspace; for a script:
  * into -y, along x, 10 mm deep, 20 mm of travel, 1 s. @threadsafety any @since 0.1 */
-PLP_API void plp_hand_options_init(plp_hand_options* options);
+PLP_API void plp_hand_options_init(plp_hand_options* options, size_t size);
 
 /** @brief Tells a simulated hand how to hold and what to do from the next tick on. The handle follows as its
  * inertia lets it. Lengths are at most 10 m. @return PLP_ERROR_UNSUPPORTED for a device that no simulated
@@ -889,7 +891,7 @@ enum {
 
 /** @brief Fills `mapping`: base and scene are one, the tool's origin is the handle, nothing is scaled.
  *  @threadsafety any @since 0.1 */
-PLP_API void plp_device_mapping_init(plp_device_mapping* mapping);
+PLP_API void plp_device_mapping_init(plp_device_mapping* mapping, size_t size);
 
 /**
  * @brief Gives the scene's tool to a device. From then on a step is a tick: the tool takes the
@@ -897,7 +899,9 @@ PLP_API void plp_device_mapping_init(plp_device_mapping* mapping);
  * time step passes for a simulated device. The hand feels a stiffness of the scene's, of all springs
  * together, times motion_scale × force_scale. The tool may be added and removed meanwhile; a pose that is set
  * for it lasts while a clutch is held.
- * @param device null to take the tool from its device, which then lets the hand go. The scene keeps it.
+ * @param device null to take the tool from its device, which then lets the hand go: the tool stays where it
+ * is, and another scene may have the device when this returns. A scene that runs is waited for, a tick as a
+ * rule, at most 0.1 s. The scene keeps the device.
  * @param mapping null for the defaults.
  * @return PLP_ERROR_WRONG_STATE if another scene has the device; _INVALID_HANDLE or _INVALID_ARGUMENT.
  * @threadsafety any @since 0.1

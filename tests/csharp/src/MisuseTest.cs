@@ -185,7 +185,7 @@ namespace Palpate.Tests
             // A longer struct of a later version, with nothing and then with something in its tail.
             byte* memory = stackalloc byte[sizeof(Raw.plp_scene_options) + 8];
             var options = (Raw.plp_scene_options*)memory;
-            Raw.plp_scene_options_init(options);
+            Raw.plp_scene_options_init(options, (UIntPtr)sizeof(Raw.plp_scene_options));
             options->cutoff = 1;
             options->struct_size = (uint)sizeof(Raw.plp_scene_options) + 8;
             *(ulong*)(memory + sizeof(Raw.plp_scene_options)) = 0;

@@ -79,7 +79,7 @@ namespace Palpate.Tests
             fixed (ushort* corners = indices)
             {
                 Raw.plp_triangles triangles;
-                Raw.plp_triangles_init(&triangles);
+                Raw.plp_triangles_init(&triangles, (UIntPtr)sizeof(Raw.plp_triangles));
                 triangles.positions = positions;
                 triangles.vertex_count = (UIntPtr)8;
                 triangles.indices = corners;

@@ -26,14 +26,14 @@ int main(int argc, char** argv) {
 
   plp_pose a_from_b = {{atof(argv[3]), atof(argv[4]), atof(argv[5])}, {0, 0, 0, 1}};
   plp_query_options options;
-  plp_query_options_init(&options);
+  plp_query_options_init(&options, sizeof options);
   options.cutoff = atof(argv[6]);
   plp_query_result result;
   check(plp_query_result_create(&result));
   check(plp_query(a, b, &a_from_b, &options, result));
 
   plp_contacts contacts;
-  plp_contacts_init(&contacts);
+  plp_contacts_init(&contacts, sizeof contacts);
   check(plp_query_result_get(result, &contacts));
   print_contacts(&contacts);
 

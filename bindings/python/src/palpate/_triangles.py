@@ -2,7 +2,7 @@
 
 from array import array
 from collections.abc import Iterable, Iterator
-from ctypes import c_void_p
+from ctypes import c_void_p, sizeof
 from typing import Any
 
 from . import _raw
@@ -34,7 +34,7 @@ class Rows:
 def triangles_struct(positions: Rows, indices: Rows | None, space: Space | None) -> _raw.plp_triangles:
     """Valid as long as the rows."""
     triangles = _raw.plp_triangles()
-    _raw.plp_triangles_init(triangles)
+    _raw.plp_triangles_init(triangles, sizeof(triangles))
     triangles.positions = positions.address
     triangles.position_stride = positions.stride
     triangles.vertex_count = positions.count

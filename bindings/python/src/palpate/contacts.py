@@ -168,5 +168,5 @@ class Contacts:
 
 def new_contacts_struct() -> _raw.plp_contacts:
     struct = _raw.plp_contacts()
-    _raw.plp_contacts_init(struct)
+    _raw.plp_contacts_init(struct, ctypes.sizeof(struct))
     return struct

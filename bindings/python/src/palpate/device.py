@@ -132,7 +132,7 @@ class Device(Closing):
     @property
     def info(self) -> DeviceInfo:
         struct = _raw.plp_device_info()
-        _raw.plp_device_info_init(struct)
+        _raw.plp_device_info_init(struct, sizeof(struct))
         check(_raw.plp_device_get_info(self._handle, struct))
         return _info_of(struct)
 
@@ -140,7 +140,7 @@ class Device(Closing):
     def state(self) -> DeviceState:
         """After the last tick: a step of the scene that has the device."""
         struct = _raw.plp_device_state()
-        _raw.plp_device_state_init(struct)
+        _raw.plp_device_state_init(struct, sizeof(struct))
         check(_raw.plp_device_get_state(self._handle, struct))
         return DeviceState(pose_of(struct.pose), tuple(struct.linear_velocity), tuple(struct.angular_velocity),
                            struct.buttons, struct.time, struct.sequence, bool(struct.calibrated), Safety(struct.safety),
@@ -163,7 +163,7 @@ class Device(Closing):
                    fault_hold: float = 0.0) -> None:
         """Tightens the limits; 0 is the device's own. `dead_man`: bits of buttons that must all be held."""
         limits = _raw.plp_safety_limits()
-        _raw.plp_safety_limits_init(limits)
+        _raw.plp_safety_limits_init(limits, sizeof(limits))
         limits.dead_man = dead_man
         limits.max_force, limits.max_torque = max_force, max_torque
         limits.force_slew, limits.torque_slew = force_slew, torque_slew
@@ -178,7 +178,7 @@ class Device(Closing):
         """Tells the hand that holds a simulated device what to do from the next tick on; metres, seconds, radians in
         the device's base frame. `origin`: None for the middle of the workspace."""
         options = _raw.plp_hand_options()
-        _raw.plp_hand_options_init(options)
+        _raw.plp_hand_options_init(options, sizeof(options))
         options.script, options.grip, options.buttons = int(script), int(grip), buttons
         if origin is not None:
             options.origin = pose_struct(origin)
@@ -204,7 +204,7 @@ class Device(Closing):
 def device_mapping(scene_from_base: PoseLike, handle_from_tool: PoseLike, motion_scale: float, force_scale: float,
                    clutch_buttons: int, keep_tool_pose: bool) -> _raw.plp_device_mapping:
     mapping = _raw.plp_device_mapping()
-    _raw.plp_device_mapping_init(mapping)
+    _raw.plp_device_mapping_init(mapping, sizeof(mapping))
     mapping.flags = _raw.PLP_DEVICE_KEEP_TOOL_POSE if keep_tool_pose else 0
     mapping.scene_from_base = pose_struct(scene_from_base)
     mapping.handle_from_tool = pose_struct(handle_from_tool)

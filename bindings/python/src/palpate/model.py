@@ -87,7 +87,7 @@ def _fields(struct: ctypes.Structure) -> dict[str, Any]:
 def _options(weld_tolerance: float, double_sided: bool, keep_winding: bool, scene: int | None,
              max_triangles: int) -> _raw.plp_model_options:
     options = _raw.plp_model_options()
-    _raw.plp_model_options_init(options)
+    _raw.plp_model_options_init(options, ctypes.sizeof(options))
     options.weld_tolerance = weld_tolerance
     options.flags = ((_raw.PLP_MODEL_DOUBLE_SIDED if double_sided else 0)
                      | (_raw.PLP_MODEL_KEEP_WINDING if keep_winding else 0))
@@ -159,7 +159,7 @@ class Model(Closing):
 
     def _raw_info(self) -> _raw.plp_model_info:
         info = _raw.plp_model_info()
-        _raw.plp_model_info_init(info)
+        _raw.plp_model_info_init(info, ctypes.sizeof(info))
         check(_raw.plp_model_get_info(self._handle, info))
         return info
 

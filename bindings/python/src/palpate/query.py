@@ -1,6 +1,7 @@
 """Contacts between two models at one pose."""
 
 from collections.abc import Iterable
+from ctypes import sizeof
 
 from . import _raw
 from ._errors import InvalidHandle, check
@@ -22,7 +23,7 @@ class QueryResult(Closing):
 def _options(cutoff: float, stiffness: float, reference_point: Iterable[float],
              max_overlaps: int, law: Law) -> _raw.plp_query_options:
     options = _raw.plp_query_options()
-    _raw.plp_query_options_init(options)
+    _raw.plp_query_options_init(options, sizeof(options))
     options.cutoff = cutoff
     options.stiffness = stiffness
     options.reference_point = doubles(reference_point, 3, "reference_point")

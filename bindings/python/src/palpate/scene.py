@@ -1,7 +1,7 @@
 """Bodies, one of which is the tool that the hand moves."""
 
 from collections.abc import Iterable
-from ctypes import byref, c_uint64
+from ctypes import byref, c_uint64, sizeof
 from typing import Literal
 
 from . import _raw
@@ -77,7 +77,7 @@ class Scene(Closing):
         whose outcome does not depend on it. `tick_budget`: when "certified", at most so many tests in a step, which
         descent then completes; 0: no limit."""
         options = _raw.plp_scene_options()
-        _raw.plp_scene_options_init(options)
+        _raw.plp_scene_options_init(options, sizeof(options))
         options.cutoff = cutoff
         options.stiffness = stiffness
         options.max_overlaps = uint32(max_overlaps, "max_overlaps")
@@ -177,7 +177,7 @@ class Scene(Closing):
         if kind not in _KINDS:
             raise InvalidArgument(f"kind is {kind!r}, which is none of {', '.join(_KINDS)}")
         options = _raw.plp_body_options()
-        _raw.plp_body_options_init(options)
+        _raw.plp_body_options_init(options, sizeof(options))
         options.kind = _KINDS[kind]
         options.model = model._handle
         options.pose = pose_struct(pose)

@@ -1,5 +1,6 @@
 """The thread that steps a scene by itself."""
 
+from ctypes import sizeof
 from typing import NamedTuple
 
 from . import _raw
@@ -37,7 +38,7 @@ class ServoState(NamedTuple):
 
 def servo_options(rate: float, priority: int | None, cpu: int | None) -> _raw.plp_servo_options:
     options = _raw.plp_servo_options()
-    _raw.plp_servo_options_init(options)
+    _raw.plp_servo_options_init(options, sizeof(options))
     options.rate = rate
     options.priority = -1 if priority is None else priority
     options.cpu = -1 if cpu is None else cpu
@@ -46,7 +47,7 @@ def servo_options(rate: float, priority: int | None, cpu: int | None) -> _raw.pl
 
 def servo_state(handle: int | None) -> ServoState:
     struct = _raw.plp_servo_state()
-    _raw.plp_servo_state_init(struct)
+    _raw.plp_servo_state_init(struct, sizeof(struct))
     check(_raw.plp_scene_get_servo(handle, struct))
     return ServoState(bool(struct.running), struct.priority or None, None if struct.cpu < 0 else struct.cpu,
                       struct.wanted_rate, struct.rate, struct.ticks, struct.missed, struct.skipped,
