@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
                     Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
                     Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x82964280d374b909},
-                    Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x0f359704f09dc0dd}),
+                    Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x29b289ad72034f67}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
