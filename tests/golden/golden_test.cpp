@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
         Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
         Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
         Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x82964280d374b909},
-        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x29b289ad72034f67},
+        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xaa3681dbaef2be23},
         Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xbaec46fd9109e78e},
         Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0x2f14997833013299},
         Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x769c1d6ab71ac861}),
