@@ -52,6 +52,20 @@ namespace Palpate
             set => Struct.stiffness = value;
         }
 
+        /// <summary>N·s/m of a closing spring; 0: the scene's.</summary>
+        public double Damping
+        {
+            get => Struct.damping;
+            set => Struct.damping = value;
+        }
+
+        /// <summary>Coulomb's coefficient; 0: the scene's; negative: none.</summary>
+        public double Friction
+        {
+            get => Struct.friction;
+            set => Struct.friction = value;
+        }
+
         /// <summary>Of the tool, its own frame, scene units: torques are about it.</summary>
         public Vector3d ReferencePoint
         {

@@ -3,6 +3,25 @@ using System;
 
 namespace Palpate
 {
+    /// <summary>How an outcome is out of the ordinary.</summary>
+    [Flags]
+    public enum Status : uint
+    {
+        None = 0,
+
+        /// <summary>SceneOptions.TickBudget ran out: the set may lack new LMDs.</summary>
+        ByDescent = Raw.PLP_STATUS_BY_DESCENT,
+
+        /// <summary>A servo found more than it had room for; it gets more.</summary>
+        Cut = Raw.PLP_STATUS_CUT,
+
+        /// <summary>A near body pushes nothing yet: it is being made ready for the servo.</summary>
+        Waiting = Raw.PLP_STATUS_WAITING,
+
+        /// <summary>Surfaces overlap and walls hold the tool.</summary>
+        Wall = Raw.PLP_STATUS_WALL
+    }
+
     /// <summary>Where the outcome of a scene or query is read to, again and again.</summary>
     internal sealed unsafe class Outcome
     {
@@ -37,12 +56,20 @@ namespace Palpate
         public NativeList<Contact> Lmds => new NativeList<Contact>(
             outcome, Current.lmds, Current.lmd_count, Current.lmd_stride);
 
+        /// <summary>All that pushes, each with its whole force: LMDs by Law.Springs, near minima by Law.Smooth, walls and
+        /// springs that fade by both.</summary>
+        public NativeList<Contact> Springs => new NativeList<Contact>(
+            outcome, Current.springs, Current.spring_count, Current.lmd_stride);
+
         /// <summary>Pairs of triangles that touch or cross.</summary>
         public NativeList<Overlap> Overlaps => new NativeList<Overlap>(
             outcome, Current.overlaps, Current.overlap_count, Current.overlap_stride);
 
         /// <summary>Whether surfaces touch or cross.</summary>
         public bool Overlap => Current.overlap != 0;
+
+        /// <summary>How the outcome is out of the ordinary.</summary>
+        public Status Status => (Status)Current.status;
 
         /// <summary>Whether more pairs overlap than are listed.</summary>
         public bool OverlapsCut => Current.overlaps_cut != 0;

@@ -53,6 +53,17 @@ namespace Palpate
         protected override bool ReleaseHandle() => Raw.plp_query_result_release(handle) >= 0;
     }
 
+    internal sealed class DeviceHandle : NativeHandle
+    {
+        internal DeviceHandle(IntPtr value) : base(value)
+        {
+        }
+
+        protected override string Name => nameof(Device);
+
+        protected override bool ReleaseHandle() => Raw.plp_device_release(handle) >= 0;
+    }
+
     internal sealed class SceneHandle : NativeHandle
     {
         internal SceneHandle(IntPtr value) : base(value)

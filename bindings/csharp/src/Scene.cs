@@ -142,7 +142,8 @@ namespace Palpate
         }
     }
 
-    /// <summary>Bodies, one of which is the tool that the hand moves. One thread at a time may use it.</summary>
+    /// <summary>Bodies, one of which is the tool that the hand moves. Any thread may change it; one at a time may step it
+    /// and read contacts.</summary>
     public sealed unsafe class Scene : IDisposable
     {
         private readonly SceneHandle handle;
@@ -185,7 +186,7 @@ namespace Palpate
             return Read();
         }
 
-        /// <summary>The outcome of the last step.</summary>
+        /// <summary>The outcome of the last step, that of a running servo too.</summary>
         public Contacts Read()
         {
             IntPtr scene = handle.Value;
@@ -214,6 +215,38 @@ namespace Palpate
         public void SetFriction(double friction) => Check(Raw.plp_scene_set_friction(handle.Value, friction));
 
         public void SetMode(Mode mode) => Check(Raw.plp_scene_set_mode(handle.Value, (int)mode));
+
+        /// <summary>Gives the tool to a device, whose hand feels it in every step from then on; null takes it away. The
+        /// scene keeps the device.</summary>
+        public void SetDevice(Device device, DeviceMapping mapping = null)
+        {
+            Raw.plp_device_mapping copy = (mapping ?? new DeviceMapping()).Struct;
+            Check(Raw.plp_scene_set_device(handle.Value, device == null ? IntPtr.Zero : device.Handle, &copy));
+            GC.KeepAlive(device);
+        }
+
+        /// <summary>Starts a servo: native threads step and search the scene, and call nothing managed. Bodies and
+        /// settings may be changed meanwhile; Read() gives the newest outcome.</summary>
+        public void Start(ServoOptions options = default(ServoOptions))
+        {
+            Raw.plp_servo_options copy = options.Struct;
+            Check(Raw.plp_scene_start(handle.Value, &copy));
+        }
+
+        /// <summary>Stops the servo, if one runs, and waits until it rests.</summary>
+        public void Stop() => Check(Raw.plp_scene_stop(handle.Value));
+
+        /// <summary>How the servo runs or, if it was stopped, ran. Allocates nothing.</summary>
+        public ServoState Servo
+        {
+            get
+            {
+                Raw.plp_servo_state state;
+                Raw.plp_servo_state_init(&state, (UIntPtr)sizeof(Raw.plp_servo_state));
+                Check(Raw.plp_scene_get_servo(handle.Value, &state));
+                return new ServoState(state);
+            }
+        }
 
         public void Dispose()
         {

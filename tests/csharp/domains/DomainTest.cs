@@ -29,6 +29,14 @@ namespace Palpate.Tests
                 return scene.Step().Wrench.Force.X;
             }
 
+            /// <summary>Leaves a servo running that holds a device.</summary>
+            public bool Run()
+            {
+                scene.SetDevice(Device.Open());
+                scene.Start();
+                return scene.Servo.Running;
+            }
+
             public int Messages() => messages;
         }
 
@@ -42,6 +50,7 @@ namespace Palpate.Tests
                     typeof(Session).Assembly.Location, typeof(Session).FullName);
                 Assert.AreEqual(100, session.Play(), 1e-9);
                 Assert.IsTrue(session.Messages() > 0);
+                Assert.IsTrue(session.Run());
                 Unload(domain);
                 // There is something to say about it, and nobody left to hear it.
                 LoadBadly();
