@@ -95,6 +95,15 @@ class Experiment(unittest.TestCase):
         self.assertEqual(poses("one.csv", 7), poses("again.csv", 7))
         self.assertNotEqual(poses("one.csv", 7), poses("other.csv", 8))
 
+    def test_what_cannot_be_made_into_a_motion_is_told(self):
+        poses = Path(self.folder.name, "none.csv")
+        for models, options, told in ((("missing.glb", GIVEN.b), ("--cutoff", "0.01"), "missing.glb"),
+                                      ((GIVEN.a, GIVEN.b), ("--cutoff", "-1"), "--cutoff"),
+                                      ((GIVEN.a, GIVEN.b), (), "--cutoff")):
+            done = subprocess.run([GIVEN.make_motion, *models, poses, *options], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout, poses.exists()), (1, "", False))
+            self.assertIn(told, done.stderr)
+
 
 if __name__ == "__main__":
     GIVEN = arguments()
