@@ -233,16 +233,16 @@ TEST_P(GoldenTest, IsTheSameForEveryInstructionSet) {
 INSTANTIATE_TEST_SUITE_P(
     Modes, GoldenTest,
     testing::Values(
-        Golden{"global", {PLP_MODE_GLOBAL, 0}, 0x381c90d6c9913244},
-        Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xdbf1b7fa85a3d59a},
-        Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0x381c90d6c9913244},
-        Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
-        Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
-        Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x82964280d374b909},
-        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xaa3681dbaef2be23},
-        Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xbaec46fd9109e78e},
-        Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0x2f14997833013299},
-        Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x769c1d6ab71ac861}),
+        Golden{"global", {PLP_MODE_GLOBAL, 0}, 0xfc4085c0a975ada4},
+        Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xccc04b336aaa53f0},
+        Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0xfc4085c0a975ada4},
+        Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+        Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+        Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x6a81cec487225dde},
+        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xf8e2865bf7f1bc5b},
+        Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xc1947714dd72cd8e},
+        Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0x7bbc93f993725d91},
+        Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x6b727342668562ef}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
