@@ -60,6 +60,7 @@ TEST_P(StableStiffness, IsOfTheSizeOfItsTheoreticalBound) {
     settings.spec = spec;
     settings.hand = impedance_of(Grip::kLight);
     settings.scene.cutoff = 0.008;
+    settings.scene.stiffness_cap = -1.0;
     const double measured = largest_stable_stiffness(GetParam(), settings);
     const double damping = 2.0 * (spec.handle.damping + settings.hand.damping) / ModelLoop::kTick;
     const double friction = 2.0 * spec.handle.friction / spec.limits.position_resolution;
