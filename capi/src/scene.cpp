@@ -76,7 +76,7 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   scene.law = law_of(options.law, "options->law");
   if (options.global_every > 0) scene.global_every = options.global_every;
   scene.damping = checked_not_negative(options.damping, "options->damping");
-  scene.stiffness_cap = checked_not_negative(options.stiffness_cap, "options->stiffness_cap");
+  scene.stiffness_cap = checked(options.stiffness_cap, "options->stiffness_cap");
   scene.friction = checked_not_negative(options.friction, "options->friction");
   scene.fade_time = checked_not_negative(options.fade_time, "options->fade_time");
   if (options.time_step != 0.0) scene.time_step = time_step_of(options.time_step);
@@ -221,7 +221,7 @@ plp_result plp_scene_set_stiffness_cap(plp_scene scene, double stiffness_cap) {
   return guarded([&] {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
-    object->scene.set_stiffness_cap(checked_not_negative(stiffness_cap, "stiffness_cap"));
+    object->scene.set_stiffness_cap(checked(stiffness_cap, "stiffness_cap"));
   });
 }
 

@@ -26,6 +26,7 @@ class CreaseFinder {
     find_roles();
     find_lines();
     find_cones();
+    find_borders();
   }
 
  private:
@@ -139,6 +140,39 @@ class CreaseFinder {
     }
   }
 
+  void find_borders() {
+    std::vector<std::uint32_t> size(mesh_.triangles.size(), 0);  // by patch
+    for (const std::uint32_t patch : creases_.patch) ++size[patch];
+    std::vector<Creases::Border>& borders = creases_.borders;
+    for (std::uint32_t edge = 0; edge < mesh_.edges.size(); ++edge) {
+      if (creases_.is_flat(edge)) continue;
+      for (const std::uint32_t triangle : mesh_.edge_triangles[edge])
+        if (size[creases_.patch[triangle]] > Creases::kMostWalked)
+          borders.push_back({creases_.patch[triangle], creases_.line[edge]});
+    }
+    std::sort(borders.begin(), borders.end());
+    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+    drop_long_borders();
+  }
+
+  // Also those with a line that has no ends, which is no straight one.
+  void drop_long_borders() {
+    std::vector<Creases::Border>& borders = creases_.borders;
+    auto kept = borders.begin();
+    for (auto begin = borders.begin(), end = begin; begin != borders.end(); begin = end) {
+      end = std::find_if(begin, borders.end(),
+                         [&](const Creases::Border& border) { return border.patch != begin->patch; });
+      if (end - begin > static_cast<std::ptrdiff_t>(Creases::kMostBorders)) continue;
+      if (std::any_of(begin, end, [&](const Creases::Border& border) { return is_closed(border.line); }))
+        continue;
+      kept = std::copy(begin, end, kept);
+    }
+    borders.erase(kept, borders.end());
+    borders.shrink_to_fit();
+  }
+
+  bool is_closed(std::uint32_t line) const { return creases_.line_ends[line][0] == Creases::kNone; }
+
   const Mesh& mesh_;
   Creases& creases_;
   std::vector<DVec3> normals_;
@@ -163,8 +197,16 @@ Feature Creases::whole(const Feature& feature) const {
   return feature;
 }
 
+std::span<const Creases::Border> Creases::borders_around(std::uint32_t triangle) const {
+  const auto [begin, end] =
+      std::equal_range(borders.begin(), borders.end(), Border{patch[triangle], 0},
+                       [](const Border& one, const Border& other) { return one.patch < other.patch; });
+  return {begin, end};
+}
+
 std::size_t Creases::bytes() const {
-  return bytes_of(patch) + bytes_of(line) + bytes_of(line_ends) + bytes_of(role) + bytes_of(cones);
+  return bytes_of(patch) + bytes_of(line) + bytes_of(line_ends) + bytes_of(role) + bytes_of(cones) +
+         bytes_of(borders);
 }
 
 }  // namespace palpate

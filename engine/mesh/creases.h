@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/mesh/mesh.h"
@@ -24,6 +27,18 @@ struct Creases {
   // Faces and edges that turn by less than this (radians) continue each other.
   static constexpr double kStraight = 1e-4;
 
+  // A patch of more triangles than the first knows its border, if that has no more lines than the second.
+  static constexpr std::size_t kMostWalked = 64;
+  static constexpr std::size_t kMostBorders = 256;
+
+  // That a crease line, named by its lowest edge, is on the border of a flat patch.
+  struct Border {
+    std::uint32_t patch;
+    std::uint32_t line;
+
+    auto operator<=>(const Border&) const = default;
+  };
+
   enum class VertexRole : std::uint8_t { kFlat, kStraight, kCorner };
 
   std::vector<std::uint32_t> patch;  // by triangle: the lowest triangle of its flat patch
@@ -31,6 +46,7 @@ struct Creases {
   std::vector<std::array<std::uint32_t, 2>> line_ends;  // by edge: vertices, kNone where a line is closed
   std::vector<VertexRole> role;                         // by vertex
   std::vector<VertexCone> cones;                        // by vertex
+  std::vector<Border> borders;                          // in ascending order
 
   explicit Creases(const Mesh& mesh);
 
@@ -40,6 +56,9 @@ struct Creases {
 
   // What a feature is a part of: the patch of a face, the line of an edge, a vertex itself.
   Feature whole(const Feature& feature) const;
+
+  // Of the patch of a triangle; none where that does not know them.
+  std::span<const Border> borders_around(std::uint32_t triangle) const;
 
   std::size_t bytes() const;
 };

@@ -5,6 +5,15 @@
 #include "engine/device/finite.h"
 
 namespace palpate {
+namespace {
+
+// What the hand feels of the scene's stiffness is scaled by both.
+double stiffness_at_tool(const GuardedDevice* device, const DeviceMapping& mapping) {
+  const double felt = mapping.motion_scale * mapping.force_scale;
+  return device && felt > 0.0 ? device->info().limits.max_stiffness / felt : 0.0;
+}
+
+}  // namespace
 
 bool HapticLoop::attach(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
   if (device != device_ && !device->claim()) return false;
@@ -15,6 +24,7 @@ bool HapticLoop::attach(std::shared_ptr<GuardedDevice> device, const DeviceMappi
 std::shared_ptr<GuardedDevice> HapticLoop::exchange(std::shared_ptr<GuardedDevice> device,
                                                     const DeviceMapping& mapping) {
   grip_ = ToolGrip(mapping);
+  scene_.set_device_stiffness(stiffness_at_tool(device.get(), mapping));
   wanted_ = {};
   if (device_ && device != device_) {
     device_->let_go();

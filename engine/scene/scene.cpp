@@ -70,7 +70,7 @@ void Scene::step(double dt) {
     share_budget();
     search_near_bodies(*tool);
     for (const NearBody& near : near_) collect(near, *tool);
-    forces_.finish(options_.stiffness_cap, tool->pose() * tool->options().reference_point, next_);
+    forces_.finish(stiffness_cap(), tool->pose() * tool->options().reference_point, next_);
   }
   next_.search_us = watch.elapsed_us();
   std::swap(contacts_, next_);
@@ -175,6 +175,10 @@ void Scene::collect(const NearBody& near, const Body& tool) {
                        pair.found().overlapping(), options_.mode == SearchMode::kDescent});
   if (body.springs.is_walled()) next_.status |= kStatusWall;
   forces_.add(body.springs.list(), contacts, near.law == ForceLaw::kSmooth ? kNoSet : first_set, next_);
+}
+
+double Scene::stiffness_cap() const {
+  return options_.stiffness_cap == 0.0 ? device_stiffness_ : options_.stiffness_cap;
 }
 
 SpringLaw Scene::spring_law_of(const BodyOptions& body) const {

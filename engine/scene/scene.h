@@ -15,7 +15,7 @@ struct SceneOptions {
   SearchMode mode = SearchMode::kCertified;
   unsigned global_every = 10;  // steps, positive
   double damping = 0.0;        // N·s/m along a spring while it closes
-  double stiffness_cap = 0.0;  // N/m of all springs together in any direction; 0: none
+  double stiffness_cap = 0.0;  // N/m of all springs together; 0: what the device can, negative: none
   double friction = 0.0;       // Coulomb's coefficient
   double fade_time = 0.0;      // seconds
   double time_step = 0.001;    // seconds from one step to the next, positive
@@ -39,6 +39,8 @@ class Scene {
   void set_stiffness(double stiffness) { options_.stiffness = stiffness; }
   void set_damping(double damping) { options_.damping = damping; }
   void set_stiffness_cap(double cap) { options_.stiffness_cap = cap; }
+  // What the device that holds the tool can render, N/m at the tool; 0: no device, or one that does not say.
+  void set_device_stiffness(double most) { device_stiffness_ = most; }
   void set_friction(double friction) { options_.friction = friction; }
   void set_law(ForceLaw law) { options_.law = law; }
   void set_mode(SearchMode mode) { options_.mode = mode; }
@@ -88,9 +90,11 @@ class Scene {
   void search_near_bodies(const Body& tool);
   void collect(const NearBody& near, const Body& tool);
   SpringLaw spring_law_of(const BodyOptions& body) const;
+  double stiffness_cap() const;  // 0 or less: none
   std::size_t max_overlaps() const;
 
   SceneOptions options_;
+  double device_stiffness_ = 0.0;
   bool fixed_ = false;
   std::uint64_t steps_ = 0;
   double time_step_ = 0.0;

@@ -12,6 +12,11 @@ SpringContact spring_of(const Contact& contact) {
 
 }  // namespace
 
+void SpringForces::reserve(std::size_t springs) {
+  pushes_.reserve(springs);
+  cap_.reserve(springs);
+}
+
 void SpringForces::clear() {
   pushes_.clear();
   cap_.clear();
@@ -32,15 +37,16 @@ void SpringForces::add(std::span<const PairSpring> springs, const ContactPair& p
   }
 }
 
+// What a spring yields to the cap, its damping and friction yield as well.
 void SpringForces::finish(double stiffness_cap, const DVec3& reference, Contacts& contacts) {
-  const double scale = cap_.scale(stiffness_cap);
+  const std::span<const double> shares = cap_.shares(stiffness_cap);
   for (std::size_t i = 0; i < pushes_.size(); ++i) {
     Contact& contact = contacts.springs[i];
     const auto& [velocity, law] = pushes_[i];
     const double speed = glm::dot(velocity, contact.normal);
-    contact.force *= scale;
     contact.force += damping_force(spring_of(contact), -speed, law) * contact.normal;
-    contact.force += friction_force(glm::dot(contact.force, contact.normal), contact.weight,
+    contact.force *= shares[i];
+    contact.force += friction_force(glm::dot(contact.force, contact.normal), shares[i] * contact.weight,
                                     velocity - speed * contact.normal, law.friction);
     contacts.wrench += wrench_about(reference, contact.point_b, contact.force);
   }

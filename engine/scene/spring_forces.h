@@ -15,15 +15,15 @@ namespace palpate {
 class SpringForces {
  public:
   void clear();
-  void reserve(std::size_t springs) { pushes_.reserve(springs); }
+  void reserve(std::size_t springs);
 
   // Adds the springs of a pair to contacts.springs. `first_set` is what the pair's set 0 is called there;
   // kNoSet: springs are of no set.
   void add(std::span<const PairSpring> springs, const ContactPair& pair, std::uint32_t first_set,
            Contacts& contacts);
 
-  // Gives all their forces and sums the wrench. `stiffness_cap` in N/m, 0 for none; `reference` is the point
-  // of the torque, world frame.
+  // Gives all their forces and sums the wrench. `stiffness_cap` in N/m, 0 or less for none; `reference` is
+  // the point of the torque, world frame.
   void finish(double stiffness_cap, const DVec3& reference, Contacts& contacts);
 
  private:

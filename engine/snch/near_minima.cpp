@@ -13,9 +13,6 @@ namespace {
 // Edges that differ less than this (radians) do not cross.
 constexpr double kParallel = 1e-9;
 
-// The creases around a foot point are looked for on at most this many triangles.
-constexpr std::size_t kMostWalked = 64;
-
 DVec3 into_frame_of(const MeshSide& side, const DVec3& point) {
   if (!side.is_b) return point;
   return side.placement.into_b(point - side.placement.translation) / side.placement.ratio;
@@ -32,7 +29,9 @@ double distance_to_segment(const DVec3& point, const DVec3& from, const DVec3& t
   return glm::length(point - from - t * along);
 }
 
-// Walks over a flat patch from a point on one of its triangles to the creases within a radius.
+// Walks over a flat patch from a point on one of its triangles to the creases within a radius. Where that is
+// too far, because the patch is finely cut, looks at the lines around it instead. Only of one that is finely
+// cut and has hundreds of lines around it may a crease be missed, beyond what was walked.
 class PatchWalk {
  public:
   PatchWalk(const NearPolar& side, std::uint32_t triangle, const DVec3& point)
@@ -48,6 +47,8 @@ class PatchWalk {
     nearest_ = radius / scale_;
     for (std::size_t i = 0; i < count_; ++i)
       for (std::uint32_t edge : mesh_.triangle_edges[triangles_[i]]) meet(edge);
+    if (too_far_)
+      for (const Creases::Border& border : creases_.borders_around(triangles_[0])) meet_line(border.line);
     return nearest_ * scale_;
   }
 
@@ -63,10 +64,16 @@ class PatchWalk {
     for (std::uint32_t triangle : mesh_.edge_triangles[edge]) add(triangle);
   }
 
+  void meet_line(std::uint32_t line) {
+    const auto [from, to] = creases_.line_ends[line];
+    nearest_ = std::min(nearest_, distance_to_segment(point_, mesh_.position(from), mesh_.position(to)));
+  }
+
   void add(std::uint32_t triangle) {
     const auto end = triangles_.begin() + static_cast<std::ptrdiff_t>(count_);
-    if (count_ < kMostWalked && std::find(triangles_.begin(), end, triangle) == end)
-      triangles_[count_++] = triangle;
+    if (std::find(triangles_.begin(), end, triangle) != end) return;
+    too_far_ = count_ == triangles_.size();
+    if (!too_far_) triangles_[count_++] = triangle;
   }
 
   const Mesh& mesh_;
@@ -74,8 +81,9 @@ class PatchWalk {
   const DVec3 point_;
   const double scale_;
   double nearest_ = 0.0;
-  std::array<std::uint32_t, kMostWalked> triangles_;
+  std::array<std::uint32_t, Creases::kMostWalked> triangles_;
   std::size_t count_ = 1;
+  bool too_far_ = false;
 };
 
 // The distance of a point on a crease line from the line's nearer end; infinite if the line is closed.

@@ -14,6 +14,7 @@ class DeviceScene : public testing::Test {
     scene_.add(cube_.handle, PLP_BODY_STATIC, at(0.0, -0.105, 0.0));
     tool_ = scene_.add(cube_.handle, PLP_BODY_TOOL, at(0.0, 0.0, 0.0));
     plp_scene_set_stiffness(scene_.handle, 200.0);
+    plp_scene_set_stiffness_cap(scene_.handle, -1.0);
   }
 
   void attach(const plp_device_mapping& mapping = device_mapping()) {
@@ -113,6 +114,30 @@ TEST_F(DeviceScene, TheHandFeelsTheFloor) {
   EXPECT_NEAR(state.time, 1.499, 1e-9);
   EXPECT_EQ(tool_pose().position[1], state.pose.position[1]);
   EXPECT_GT(tool_pose().position[1], 1e-3) << "the floor lifts the hand";
+}
+
+// Without a word of the caller: a floor by itself is at most half as stiff as the device can render.
+TEST_F(DeviceScene, SpringsAreCappedByWhatTheDeviceCanRender) {
+  constexpr double kStiffness = 1000.0, kRated = 800.0;  // N/m
+  ASSERT_EQ(plp_scene_set_law(scene_.handle, PLP_LAW_SPRINGS), PLP_OK);
+  ASSERT_EQ(plp_scene_set_stiffness(scene_.handle, kStiffness), PLP_OK);
+  ASSERT_EQ(plp_scene_set_stiffness_cap(scene_.handle, 0.0), PLP_OK);
+  const auto felt = [&] {
+    step(1);
+    return device_.state().commanded.force[1] / (0.005 - tool_pose().position[1]);
+  };
+  attach();
+  EXPECT_NEAR(felt(), kStiffness / (1.0 + 2.0 * kStiffness / kRated), 1e-3);
+  plp_device_mapping larger = device_mapping();
+  larger.motion_scale = 2.0;
+  larger.force_scale = 3.0;
+  attach(larger);
+  EXPECT_NEAR(felt(), 3.0 * kStiffness / (1.0 + 2.0 * kStiffness / (kRated / 6.0)), 1e-3);
+  attach();
+  ASSERT_EQ(plp_scene_set_stiffness_cap(scene_.handle, 400.0), PLP_OK);
+  EXPECT_NEAR(felt(), kStiffness / (1.0 + 2.0 * kStiffness / 400.0), 1e-3);
+  ASSERT_EQ(plp_scene_set_stiffness_cap(scene_.handle, -1.0), PLP_OK);
+  EXPECT_NEAR(felt(), kStiffness, 1e-3);
 }
 
 TEST_F(DeviceScene, WithoutAnArmedDeviceThereIsNoForce) {
@@ -304,6 +329,7 @@ TEST(DeviceSpaces, TheSceneConvertsAtItsBorder) {
   plp_scene_options options = TestScene::options_with(10.0);
   options.space = {{1, -3, 2}, 0, 0.001};
   options.stiffness = 200.0;
+  options.stiffness_cap = -1.0;
   TestScene scene(options);
   scene.add(cube.handle, PLP_BODY_STATIC, at(0.0, 0.0, -105.0));
   const plp_body tool = scene.add(cube.handle, PLP_BODY_TOOL, at(0.0, 0.0, 0.0));
@@ -326,6 +352,7 @@ TEST_F(DeviceScene, TheSameStepsGiveTheSameBits) {
   const TestDevice again;
   TestScene scene(0.01);
   plp_scene_set_stiffness(scene.handle, 200.0);
+  plp_scene_set_stiffness_cap(scene.handle, -1.0);
   scene.add(cube_.handle, PLP_BODY_STATIC, at(0.0, -0.105, 0.0));
   scene.add(cube_.handle, PLP_BODY_TOOL, at(0.0, 0.0, 0.0));
   ASSERT_EQ(plp_scene_set_device(scene.handle, again.handle, nullptr), PLP_OK);

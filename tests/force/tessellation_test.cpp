@@ -68,6 +68,20 @@ TEST(Tessellation, FlushFaces) {
       kSame);
 }
 
+// Where a patch is cut much finer than the way over which it hands over to its border, the force is that of
+// the whole patch, too: a tip goes over the border of a plate, and on along it.
+TEST(Tessellation, PatchesCutMuchFinerThanTheDistance) {
+  const auto tip = make_model(shapes::stylus(0.1, 0.03));
+  const auto coarse = make_model(shapes::box({0.05, 0.05, 0.02}));
+  const auto fine = make_model(shapes::box({0.05, 0.05, 0.02}, {100, 100, 4}));
+  for (const double height : {0.05, 0.09}) {
+    const Motion over = [=](double t) {
+      return Pose{DMat3(1.0), {0.012 + 0.02 * t, 0.002 * t, 0.01 + height}};
+    };
+    EXPECT_LT(difference("fine plate", *coarse, *tip, *fine, *tip, 0.1, over), 1e-6);
+  }
+}
+
 // A ball is another shape when it is cut finer: nearer to round.
 TEST(Tessellation, BallOnAPlate) {
   const auto plate = make_model(shapes::box({2, 2, 0.2}));

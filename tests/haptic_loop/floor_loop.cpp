@@ -9,7 +9,7 @@ namespace palpate::test {
 FloorLoop::FloorLoop(double stiffness)
     : device_(new FaultyDevice),
       guarded_(std::make_shared<GuardedDevice>(std::unique_ptr<Device>(device_))),
-      scene_({.cutoff = kCutoff, .stiffness = stiffness, .law = ForceLaw::kSprings}) {
+      scene_({.cutoff = kCutoff, .stiffness = stiffness, .stiffness_cap = -1.0, .law = ForceLaw::kSprings}) {
   const auto box = asset_model("box");
   Pose below;
   below.translation.y = -0.1 - 0.5 * kCutoff;

@@ -40,6 +40,7 @@ class FloorLoop {
   static constexpr double kTick = 1e-3;  // s
   static constexpr double kCutoff = 0.01;
 
+  // Without a cap, so that the floor's stiffness is its own.
   explicit FloorLoop(double stiffness = 200.0);
 
   void tick(double dt = kTick) { loop_.tick(dt); }

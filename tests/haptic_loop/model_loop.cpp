@@ -1,10 +1,13 @@
 #include "tests/haptic_loop/model_loop.h"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/contact/stiffness_cap.h"
 #include "engine/device/rotation_vector.h"
 #include "engine/scene/query.h"
 #include "tests/support/models.h"
@@ -138,11 +141,28 @@ void ModelLoop::tick() {
 }
 
 double ModelLoop::felt_stiffness() const {
-  double sum = 0.0;
+  const double step = 1e-6 * settings_.scene.cutoff;
+  return (lift_at(-step) - lift_at(step)) / (2.0 * step);
+}
+
+double ModelLoop::stiffness_cap() const {
+  const double own = settings_.scene.stiffness_cap;
+  return std::max(own == 0.0 ? settings_.spec.limits.max_stiffness : own, 0.0);
+}
+
+// Newtons upward of the springs that push now, were the tool higher by that many metres.
+double ModelLoop::lift_at(double height) const {
+  const SpringLaw law{settings_.scene.stiffness, settings_.scene.cutoff};
+  std::vector<double> lifts;
+  StiffnessCap cap;
   for (const Contact& contact : scene_.contacts().springs) {
-    sum += settings_.scene.stiffness * contact.weight * contact.normal.y * contact.normal.y;
+    const SpringContact spring{contact.point_b, contact.normal, contact.distance + height * contact.normal.y,
+                               contact.weight};
+    cap.add(spring, law);
+    lifts.push_back(spring_force(spring, law).y);
   }
-  return sum;
+  const std::span<const double> shares = cap.shares(stiffness_cap());
+  return std::inner_product(lifts.begin(), lifts.end(), shares.begin(), 0.0);
 }
 
 void ModelLoop::follow(std::shared_ptr<const HandMotion> motion, bool place) {

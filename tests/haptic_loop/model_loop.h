@@ -57,10 +57,12 @@ class ModelLoop {
   double given_to_hand() const { return -phantom_.energy().by_hand; }  // J
   DeviceStatus status() { return device_->status(); }
 
-  // N/m of all springs that push, against motion up or down.
+  // N/m that is felt of all springs that push, against motion up or down.
   double felt_stiffness() const;
+  double stiffness_cap() const;  // N/m that is in force; 0: none
 
  private:
+  double lift_at(double height) const;
   void follow(std::shared_ptr<const HandMotion> motion, bool place);
 
   LoopSettings settings_;

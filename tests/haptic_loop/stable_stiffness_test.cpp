@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -52,20 +53,37 @@ double largest_stable_stiffness(const ModelPair& pair, LoopSettings settings) {
   return felt;
 }
 
+// Below both, theory promises a stable press. A wall whose force is held for a sample gives energy that
+// damping takes up to 2 b / T (J. E. Colgate & G. G. Schenkel 1994), and one that feels a position in counts
+// gives energy that friction takes up to 2 f / D (J. J. Abbott & A. M. Okamura 2005). What is measured lies
+// above: neither is necessary.
+struct PromisedStiffness {
+  double by_damping;   // N/m
+  double by_friction;  // N/m
+  double least() const { return std::min(by_damping, by_friction); }
+};
+
+PromisedStiffness promised_stiffness(const LoopSettings& settings) {
+  return {2.0 * (settings.spec.handle.damping + settings.hand.damping) / ModelLoop::kTick,
+          2.0 * settings.spec.handle.friction / settings.spec.limits.position_resolution};
+}
+
 class StableStiffness : public testing::TestWithParam<ModelPair> {};
 
-TEST_P(StableStiffness, IsOfTheSizeOfItsTheoreticalBound) {
+TEST_P(StableStiffness, IsAtLeastWhatTheoryPromises) {
   for (const PhantomSpec& spec : phantom_specs()) {
     LoopSettings settings;
     settings.spec = spec;
     settings.hand = impedance_of(Grip::kLight);
     settings.scene.cutoff = 0.008;
+    settings.scene.stiffness_cap = -1.0;
     const double measured = largest_stable_stiffness(GetParam(), settings);
-    const double damping = 2.0 * (spec.handle.damping + settings.hand.damping) / ModelLoop::kTick;
-    const double friction = 2.0 * spec.handle.friction / spec.limits.position_resolution;
-    std::printf("%-16s %-12s largest stable stiffness %6.0f N/m; 2b/T %6.0f, 2f/D %6.0f\n", GetParam().name,
-                std::string(spec.uri_name).c_str(), measured, damping, friction);
-    EXPECT_GE(measured, spec.limits.max_stiffness) << "what the device is rated for";
+    const PromisedStiffness promised = promised_stiffness(settings);
+    std::printf("%-16s %-12s largest stable stiffness %6.0f N/m; 2b/T %6.0f, 2f/D %6.0f, rated %4.0f\n",
+                GetParam().name, std::string(spec.uri_name).c_str(), measured, promised.by_damping,
+                promised.by_friction, spec.limits.max_stiffness);
+    EXPECT_GE(measured, promised.least());
+    EXPECT_GE(promised.least(), spec.limits.max_stiffness) << "a scene's own cap is on the safe side";
   }
 }
 

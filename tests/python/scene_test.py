@@ -79,7 +79,7 @@ class SceneTest(unittest.TestCase):
         scene.step()
         tool.pose = beside(1.1)
         contacts = scene.step()
-        pressed = 0.4 * 1000 * 0.1 + 30 * 0.002 / 0.001
+        pressed = (1000 * 0.1 + 30 * 0.002 / 0.001) / (1 + 2 * 1000 / 400)
         self.assertAlmostEqual(contacts.wrench.force[0], pressed, delta=1e-6)
         self.assertAlmostEqual(contacts.wrench.force[1], -0.1 * pressed, delta=1e-6)
         self.assertAlmostEqual(sum(spring["force"][0] for spring in contacts.springs), pressed, delta=1e-6)
@@ -87,9 +87,9 @@ class SceneTest(unittest.TestCase):
         scene.damping = scene.friction = scene.stiffness_cap = 0.0
         tool.pose = beside(1.09)
         self.assertAlmostEqual(scene.step().wrench.force[0], 110, delta=1e-6)
-        for name in ("damping", "friction", "stiffness_cap"):
+        for name, wrong in (("damping", -1.0), ("friction", -1.0), ("stiffness_cap", float("nan"))):
             with self.assertRaises(palpate.InvalidArgument):
-                setattr(scene, name, -1.0)
+                setattr(scene, name, wrong)
             self.assertEqual(getattr(scene, name), 0.0)
 
     def test_a_body_has_its_own_material(self):

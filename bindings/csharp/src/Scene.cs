@@ -72,7 +72,8 @@ namespace Palpate
             set => Struct.damping = value;
         }
 
-        /// <summary>N/m: all springs together are no stiffer in any direction; 0 for no cap.</summary>
+        /// <summary>N/m: all springs together are no stiffer in any direction, and a face by itself at most half as stiff.
+        /// 0: what the device that holds the tool can render; negative: no cap.</summary>
         public double StiffnessCap
         {
             get => Struct.stiffness_cap;
@@ -209,7 +210,7 @@ namespace Palpate
         /// <summary>N·s/m of a closing spring, of bodies that have none of their own.</summary>
         public void SetDamping(double damping) => Check(Raw.plp_scene_set_damping(handle.Value, damping));
 
-        /// <summary>N/m of all springs together; 0 for no cap.</summary>
+        /// <summary>N/m of all springs together; 0: what the device can render; negative: no cap.</summary>
         public void SetStiffnessCap(double cap) => Check(Raw.plp_scene_set_stiffness_cap(handle.Value, cap));
 
         public void SetFriction(double friction) => Check(Raw.plp_scene_set_friction(handle.Value, friction));

@@ -24,8 +24,7 @@ namespace Palpate.Unity
         [Min(0)]
         public float damping;
 
-        [Tooltip("N/m of all springs together; 0: no cap")]
-        [Min(0)]
+        [Tooltip("N/m of all springs together; 0: what the device can render; negative: no cap")]
         public float stiffnessCap;
 
         [Tooltip("Coulomb's coefficient")]

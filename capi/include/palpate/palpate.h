@@ -472,8 +472,12 @@ typedef struct plp_scene_options {
                      a device samples, this stays passive up to about m / (2 time_step), m the mass that
                      the hand holds; from stiffness × time_step on it makes up for the energy that
                      holding the force from step to step gives. */
-  double stiffness_cap; /**< N/m, not negative: forces are scaled down where all springs together would be
-                           stiffer in some direction; 0 for none */
+  double stiffness_cap; /**< N/m: all springs together are no stiffer against translation in any direction,
+                           and push the more the deeper the tool goes. Each yields to what all push: a face
+                           of the stiffness k by itself feels like k / (1 + 2 k / stiffness_cap), at most
+                           half of the cap, because there may be another across. 0: what the device that
+                           holds the tool can render (plp_device_info::max_stiffness, see
+                           plp_scene_set_device), none without a device; negative: none */
   double friction;  /**< Coulomb's coefficient, not negative. Below a slip of 5 mm/s, or where it would damp
                        more  than 20 N·s/m for a spring of weight 1, it is proportional to the slip. */
   double fade_time; /**< PLP_MODE_DESCENT: seconds in which a spring fades that is lost, or found late, nearer
@@ -486,8 +490,8 @@ typedef struct plp_scene_options {
   uint32_t reserved;    /**< 0 */
 } plp_scene_options;
 
-/** @brief Fills `options`: Palpate's space, no cutoff yet, PLP_LAW_SMOOTH, 1000 N/m without damping, friction
- * or cap, fading in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
+/** @brief Fills `options`: Palpate's space, no cutoff yet, PLP_LAW_SMOOTH, 1000 N/m without damping or
+ * friction, capped by the device alone, fading in 0.02 s, steps of 0.001 s, up to 1024 overlaps.
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options, size_t size);
 
@@ -560,8 +564,8 @@ PLP_API plp_result plp_scene_set_stiffness(plp_scene scene, double stiffness);
  *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_damping(plp_scene scene, double damping);
 
-/** @brief Sets the bound on the stiffness of all springs together (N/m; 0: none). @return
- *  PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
+/** @brief Sets the bound on the stiffness of all springs together (N/m; 0: what the device can render,
+ *  negative: none). @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_set_stiffness_cap(plp_scene scene, double stiffness_cap);
 
 /** @brief Sets the coefficient of friction (not negative). @return PLP_ERROR_INVALID_HANDLE or
@@ -670,7 +674,8 @@ PLP_API plp_result plp_shutdown_all(void);
  * calibrated, while a dead-man button is let go, or in a fault: a wrench or a pose that is not finite, a pose
  * that jumps, a servo or a pose that is stale. A device begins disarmed. A loop is stable only where the
  * stiffness that the hand feels is one that the device can render (plp_device_info::max_stiffness is its
- * maker's figure): the limits bound an unstable loop, they do not calm it. Keep the face away from an armed
+ * maker's figure): a scene keeps to it unless plp_scene_options::stiffness_cap tells it otherwise; the limits
+ * bound an unstable loop, they do not calm it. Keep the face away from an armed
  * device, and arm with the hand on the handle.
  */
 typedef struct plp_device_t* plp_device;
@@ -688,7 +693,7 @@ typedef struct plp_device_info {
   double continuous_force;    /**< N, for ever */
   double max_torque;          /**< N·m, for short */
   double continuous_torque;   /**< N·m, for ever */
-  double max_stiffness;       /**< N/m that the hand may feel */
+  double max_stiffness;       /**< N/m that the hand may feel; 0: unknown, and caps nothing */
   double max_damping;         /**< N·s/m */
   double position_resolution; /**< m at the handle */
   double angle_resolution;    /**< rad */
@@ -902,7 +907,8 @@ PLP_API void plp_device_mapping_init(plp_device_mapping* mapping, size_t size);
  * @brief Gives the scene's tool to a device. From then on a step is a tick: the tool takes the
  * handle's pose, contacts are found, the wrench goes through the limits to the hand, and the
  * time step passes for a simulated device. The hand feels a stiffness of the scene's, of all springs
- * together, times motion_scale × force_scale. The tool may be added and removed meanwhile; a pose that is set
+ * together, times motion_scale × force_scale; where the scene has no stiffness_cap of its own, that is kept
+ * to plp_device_info::max_stiffness. The tool may be added and removed meanwhile; a pose that is set
  * for it lasts while a clutch is held.
  * @param device null to take the tool from its device, which then lets the hand go: the tool stays where it
  * is, and another scene may have the device when this returns. A scene that runs is waited for, a tick as a

@@ -71,7 +71,8 @@ class Scene(Closing):
         follows what a search found, repeated after `global_every` steps, and learns of new contacts late.
         `law`: under "smooth" force and torque are continuous in the pose; under "springs" every contact pushes for
         itself and jumps as it comes and goes. `damping` in N·s/m: what a spring adds while it closes. `stiffness_cap`
-        in N/m: all springs together are no stiffer in any direction; 0 for no cap. `friction`: Coulomb's coefficient.
+        in N/m: all springs together are no stiffer in any direction; a face by itself is at most half as stiff. 0: what
+        the device that holds the tool can render; negative: no cap. `friction`: Coulomb's coefficient.
         `fade_time`: seconds in which a spring fades that "descent" loses or finds late, or that hands over from a
         wall. `time_step`: seconds from one step to the next, for velocities. `threads` share the searches of a step,
         whose outcome does not depend on it. `tick_budget`: when "certified", at most so many tests in a step, which
@@ -151,7 +152,7 @@ class Scene(Closing):
 
     @property
     def stiffness_cap(self) -> float:
-        """N/m that all springs together do not exceed in any direction; 0: no cap."""
+        """N/m that all springs together do not exceed in any direction; 0: what a device can render; negative: no cap."""
         return float(self._stiffness_cap)
 
     @stiffness_cap.setter
