@@ -130,8 +130,9 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(summary["ticks_overlapping"], 1)
         with open(out, newline="") as file:
             pressed = list(csv.DictReader(file))[1]
-        self.assertAlmostEqual(float(pressed["fx"]), 40 + 60, delta=1e-6)
-        self.assertAlmostEqual(float(pressed["fy"]), -10, delta=1e-6)
+        yielding = 1 + 2 * 1000 / 400
+        self.assertAlmostEqual(float(pressed["fx"]), (100 + 60) / yielding, delta=1e-6)
+        self.assertAlmostEqual(float(pressed["fy"]), -16 / yielding, delta=1e-6)
         self.assertIn("--friction", self.complaint("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--law", "springs",
                                                    "--friction", "-1"))
 
