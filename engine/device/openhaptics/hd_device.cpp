@@ -22,7 +22,6 @@ constexpr double kLetGo = 0.5;               // s without force after the device
 constexpr double kCool = 0.8;                // temperature at which warm motors may push again
 constexpr double kTooHot = 0.95;             // at which they let go before the device does
 constexpr double kCalibrationPause = 0.1;    // s from one update to the next
-constexpr double kTryAgain = 0.5;            // s from one attempt to take up a lost device to the next
 constexpr hd::Handle kLargestHandle = 1024;  // versions of the library return garbage beyond it for no device
 constexpr std::uint64_t kTemperatureEvery = 64;  // ticks
 
@@ -105,18 +104,23 @@ std::string HdDevice::advice(DeviceCondition condition) const {
 }
 
 Status HdDevice::connect() {
-  clear_errors(call_);
-  const hd::Handle handle = call_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
-  const hd::ErrorInfo error = clear_errors(call_);
-  if (error.code != 0 || handle > kLargestHandle) return opening_error(call_, name_, error);
-  handle_ = handle;
-  call_.hdMakeCurrentDevice(handle_);
+  if (Status initialised = initialise(); !initialised) return initialised;
   scheduler_.set_rate();
   facts_ = read_facts(call_, uri_);
   facts_.info.limits.update_rate = scheduler_.rate_hz();
   most_force_ = facts_.info.limits.max_force;
   most_torque_ = facts_.info.limits.max_torque;
   configure();
+  return Done{};
+}
+
+Status HdDevice::initialise() {
+  clear_errors(call_);
+  const hd::Handle handle = call_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
+  const hd::ErrorInfo error = clear_errors(call_);
+  if (error.code != 0 || handle > kLargestHandle) return opening_error(call_, name_, error);
+  handle_ = handle;
+  call_.hdMakeCurrentDevice(handle_);
   return Done{};
 }
 
@@ -133,7 +137,7 @@ void HdDevice::configure() {
   sense(time);
   call_.hdEndFrame(handle_);
   note_errors();
-  publish(time);
+  publish(time, false);
 }
 
 void HdDevice::disconnect() {
@@ -145,26 +149,16 @@ void HdDevice::disconnect() {
   handle_ = hd::kNoDevice;
 }
 
-bool HdDevice::find_again() {
-  const double time = now();
-  if (time - tried_ < kTryAgain) return false;
-  tried_ = time;
-  const hd::Handle handle = call_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
-  if (handle > kLargestHandle) {
-    call_.hdGetError();  // its own, and no more: others may be those of devices that run
-    return false;
-  }
-  handle_ = handle;
-  return true;
-}
-
-void HdDevice::take_up() {
-  call_.hdMakeCurrentDevice(handle_);
+bool HdDevice::take_up(double time) {
+  sought_ = time;
+  if (!initialise()) return false;
   const DeviceLimits limits = read_facts(call_, uri_).info.limits;
   most_force_ = std::min(facts_.info.limits.max_force, limits.max_force);
   most_torque_ = std::min(facts_.info.limits.max_torque, limits.max_torque);
   configure();
-  if (condition_ != DeviceCondition::kLost) lost_.lower();
+  if (condition_ == DeviceCondition::kLost) return false;
+  lost_.lower();
+  return true;
 }
 
 void HdDevice::tick(double dt, bool silent) {
@@ -175,7 +169,7 @@ void HdDevice::tick(double dt, bool silent) {
     call_.hdBeginFrame(handle_);
     sense(time);
   }
-  publish(time);
+  publish(time, silent);
   rider_.use([dt](ServoTask& servo) { servo.tick(dt); });
   if (here) actuate(dt, silent);
 }
@@ -260,12 +254,15 @@ void HdDevice::recover(double dt) {
   condition_ = DeviceCondition::kReady;
 }
 
-void HdDevice::publish(double time) {
+// Before a rest of the scheduler a pose is none to turn into force, so that force fades in after it.
+void HdDevice::publish(double time, bool silent) {
   const bool needs_calibration = condition_ == DeviceCondition::kReady && !state_.calibrated;
   state_.condition = needs_calibration ? DeviceCondition::kNeedsCalibration : condition_;
-  samples_.back() = state_;
+  DeviceState shown = state_;
+  shown.calibrated = shown.calibrated && !silent;
+  samples_.back() = shown;
   samples_.publish();
-  shown_.back() = {state_, time, last_error_};
+  shown_.back() = {shown, time, last_error_};
   shown_.publish();
 }
 

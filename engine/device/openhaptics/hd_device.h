@@ -41,11 +41,12 @@ class HdDevice final : public Device, public ServoHost {
   // The scheduler's, one thread at a time. While it rests:
   Status connect();
   void disconnect();
-  void take_up();
+  bool take_up(double time);  // a lost device; false: it still does not answer
   // At any time:
   bool is_lost() const { return lost_.raised(); }
+  // While it is lost:
   bool is_connected() const { return handle_ != hd::kNoDevice; }
-  bool find_again();
+  double unsought(double time) const { return time - sought_; }  // s since the last attempt to take it up
   // On the library's thread. `silent`: no force.
   void tick(double dt, bool silent);
 
@@ -58,6 +59,7 @@ class HdDevice final : public Device, public ServoHost {
 
   HdDevice(HdScheduler& scheduler, std::string name, std::string uri);
 
+  Status initialise();
   void configure();
   void sense(double time);
   void read_motion(RigidMotion& tool) const;
@@ -67,7 +69,7 @@ class HdDevice final : public Device, public ServoHost {
   bool note_errors();
   void note(hd::ErrorCode code);
   void recover(double dt);
-  void publish(double time);
+  void publish(double time, bool silent);
   void actuate(double dt, bool silent);
   void send(const DeviceWrench& wrench);
   DeviceWrench wrench_to_send(double dt, bool silent);
@@ -86,7 +88,7 @@ class HdDevice final : public Device, public ServoHost {
   // While lost_ is raised the handle is the keeper's, otherwise the callback's.
   Flag lost_;
   hd::Handle handle_ = hd::kNoDevice;
-  double tried_ = 0.0;  // s, when it was looked for last
+  double sought_ = 0.0;
 
   // The callback's.
   DeviceState state_;

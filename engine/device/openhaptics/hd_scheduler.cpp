@@ -15,13 +15,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned long kRate = 1000;                     // Hz, asked for
-constexpr int kLeastRate = 100;                           // Hz; less is no answer
-constexpr double kLongestTick = 0.010;                    // s; beyond, a tick is told how long the pause was
+constexpr unsigned long kRate = 1000;  // Hz, asked for
+constexpr int kLeastRate = 100;        // Hz; less is no answer
+// What is later by less is jitter; by more, a debugger's breakpoint or a system that slept: a tick is told.
+constexpr double kLongestTick = 0.25;                     // s
 constexpr std::uint64_t kSilentTicks = 2;                 // in which force surely has ended
 constexpr std::chrono::milliseconds kLongestSilence{20};  // a scheduler that hangs is not waited for
 constexpr std::chrono::microseconds kLookAgain{200};
 constexpr std::chrono::milliseconds kKeepingPause{20};
+constexpr double kTryAgain = 0.5;  // s from one attempt to take up a lost device to the next
+constexpr double kTryAgainBesideOthers = 2.0;
 
 double now() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -186,19 +189,22 @@ void HdScheduler::keep() {
   }
 }
 
-// Only what has been found again makes the others pause.
+// An attempt changes the library's current device, so the others rest meanwhile; they are not to be troubled
+// often.
 void HdScheduler::recover(HdDevice& device) {
-  if (device.is_connected()) {
-    rest();
-    device.disconnect();
-    resume();
+  const bool others =
+      std::any_of(devices_.begin(), devices_.end(), [](HdDevice* any) { return !any->is_lost(); });
+  const bool connected = device.is_connected();
+  if (!connected && device.unsought(now()) < (others ? kTryAgainBesideOthers : kTryAgain)) return;
+  rest();
+  device.disconnect();
+  const bool found = device.take_up(now());
+  resume();
+  if (found) {
+    log(LogLevel::kInfo, device.info().identity.uri + " answers again");
+  } else if (connected) {
     log(LogLevel::kWarning, device.info().identity.uri + " does not answer");
   }
-  if (!device.find_again()) return;
-  rest();
-  device.take_up();
-  resume();
-  log(LogLevel::kInfo, device.info().identity.uri + " answers again");
 }
 
 }  // namespace palpate

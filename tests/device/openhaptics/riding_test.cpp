@@ -282,6 +282,20 @@ TEST_F(RidingInRealTime, ADeviceIsPulledOutAndPutBack) {
   EXPECT_LE(library_.record().most_force, 8.5);
 }
 
+// The scheduler rests while another device is opened and closed: force ends before, and fades in after.
+TEST_F(RidingInRealTime, OpeningAnotherDeviceLetsForceFadeInAnew) {
+  attach();
+  start();
+  ASSERT_EQ(plp_device_arm(device_.handle), PLP_OK);
+  ASSERT_TRUE(comes_to(PLP_CONDITION_READY, PLP_SAFETY_ARMED));
+  const std::uint64_t ramped = device_.state().limiter_ticks[PLP_LIMITER_RAMP];
+  const int starts = library_.starts();
+  { const TestDevice touch(StandInLibrary::uri("Left").c_str()); }
+  EXPECT_EQ(library_.starts(), starts + 2);
+  ASSERT_TRUE(comes_true([&] { return device_.state().limiter_ticks[PLP_LIMITER_RAMP] > ramped + 100; }));
+  ASSERT_TRUE(comes_to(PLP_CONDITION_READY, PLP_SAFETY_ARMED));
+}
+
 TEST_F(RidingInRealTime, AStalledSchedulerIsSeen) {
   attach();
   start();
