@@ -138,6 +138,33 @@ TEST(OpenHapticsFaults, AreOfOneDevice) {
   EXPECT_EQ(library.record(1).force[1], 2.0);
 }
 
+// The library has one stack for the errors of all.
+TEST(OpenHapticsFaults, ThatLieAmongThoseOfAnotherAreTold) {
+  StandInLibrary library;
+  PhantomLoop premium(library), touch(library, "Left");
+  for (const int source : {0, 1}) {
+    library.tick(1000);
+    library.plant([](StandInFaults& faults) { faults.stray_error = 0x0203; }, source);
+    library.tick(2);
+    PhantomLoop& meant = source == 0 ? touch : premium;
+    PhantomLoop& other = source == 0 ? premium : touch;
+    EXPECT_EQ(meant.status().state.condition, DeviceCondition::kExceededVelocity);
+    EXPECT_EQ(other.status().state.condition, DeviceCondition::kReady);
+  }
+}
+
+TEST(OpenHapticsFaults, ASampleWithAnErrorIsNone) {
+  StandInLibrary library;
+  PhantomLoop loop(library);
+  library.tick(10);
+  const std::uint64_t before = loop.status().state.sequence;
+  library.plant([](StandInFaults& faults) { faults.error_once = 0x0203; });
+  library.tick();
+  EXPECT_EQ(loop.status().state.sequence, before);
+  library.tick();
+  EXPECT_EQ(loop.status().state.sequence, before + 1);
+}
+
 // The other one rests while the lost one is let go, and goes on while it is looked for.
 TEST(OpenHapticsFaults, OneLostDeviceLeavesTheOtherInUse) {
   StandInLibrary library;

@@ -33,22 +33,27 @@ TEST(OpenHapticsFrames, SendNewtonsAndNewtonMillimetres) {
   }
 }
 
-TEST(OpenHapticsFrames, TellMetres) {
+TEST(OpenHapticsFrames, TellMetresAndTurns) {
   const unsigned seed = std::random_device{}();
   std::printf("seed %u\n", seed);
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-0.05, 0.05);
+  std::uniform_real_distribution<double> place(-0.05, 0.05), turn(-1.2, 1.2);
   StandInLibrary library;
   PhantomLoop loop(library);
   for (int i = 0; i < 20; ++i) {
     const DVec3 wanted(place(random), place(random), place(random));
     library.plant([&](StandInFaults& faults) {
       for (int axis = 0; axis < 3; ++axis) faults.hand[axis] = wanted[axis];
+      for (double& angle : faults.turn) angle = turn(random);
     });
     library.tick(2000);
     const StandInRecord record = library.record();
     const RigidMotion tool = loop.status().state.tool;
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(tool.position[axis], record.handle[axis], 1e-12);
+    const double* const turned = record.orientation;
+    const double same = turned[0] * tool.orientation.x + turned[1] * tool.orientation.y +
+                        turned[2] * tool.orientation.z + turned[3] * tool.orientation.w;
+    EXPECT_NEAR(std::abs(same), 1.0, 1e-12);
     EXPECT_LT(glm::distance(tool.position, wanted), 2e-3) << "where the hand wants it, but for friction";
     EXPECT_LT(glm::length(tool.linear_velocity), 1e-2);
   }

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/exchange/flag.h"
@@ -175,6 +176,9 @@ EXPORTED void hdBeginFrame(Handle handle) {
   const std::lock_guard lock(library().mutex);
   library().current = handle;
   with_current([](StandInDevice& device) { return device.begin_frame(); });
+  if (StandInDevice* const device = device_of(handle))
+    fail(std::exchange(device->faults.stray_error, 0),
+         handle == kFirstHandle ? kFirstHandle + 1 : kFirstHandle);
 }
 
 EXPORTED void hdEndFrame(Handle handle) {

@@ -20,7 +20,8 @@ struct StandInRecord {
   int updates = 0;              // of the calibration
   int updates_with_output = 0;  // while the amplifiers were on
   int last_style = 0;
-  double handle[3] = {};  // m, where it truly is
+  double handle[3] = {};       // m, where it truly is
+  double orientation[4] = {};  // x y z w, how it truly is turned
 };
 
 // What a device of the stand-in is made to do.
@@ -31,6 +32,7 @@ struct StandInFaults {
   bool strides = false;          // the pose jumps to and fro
   unsigned int error = 0;        // in every frame
   unsigned int error_once = 0;   // in the next frame
+  unsigned int stray_error = 0;  // of the other device, once, in a frame of this one
   unsigned int opening_error = 0;
   unsigned int calibration = 0x5000;
   bool updating_helps = true;        // an update of the right style calibrates it
@@ -40,6 +42,7 @@ struct StandInFaults {
   std::uint32_t buttons = 0;
   bool in_inkwell = false;
   double hand[3] = {};  // m, where the hand that holds it wants to be
+  double turn[3] = {};  // the same of its orientation: a rotation vector
 };
 
 // How tests reach a stand-in beside its functions. Device 0 is "Default Device", a Premium 1.5/6DOF; device 1

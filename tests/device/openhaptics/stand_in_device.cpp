@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/device/rotation_vector.h"
 #include "engine/device/simulated/recorded_motion.h"
 
 namespace palpate::test {
@@ -36,17 +37,23 @@ void StandInDevice::close() {
 }
 
 void StandInDevice::set(const StandInFaults& new_faults) {
-  const bool moves = !std::equal(new_faults.hand, new_faults.hand + 3, faults.hand);
+  const bool moves = !std::equal(new_faults.hand, new_faults.hand + 3, faults.hand) ||
+                     !std::equal(new_faults.turn, new_faults.turn + 3, faults.turn);
   faults = new_faults;
   if (!moves) return;
   const DVec3 place(faults.hand[0], faults.hand[1], faults.hand[2]);
-  phantom_.set_motion(RecordedMotion::from({{0.0, {place, DQuat(1.0, 0.0, 0.0, 0.0)}}}).value());
+  phantom_.set_motion(
+      RecordedMotion::from({{0.0, {place, rotation_by({faults.turn[0], faults.turn[1], faults.turn[2]})}}})
+          .value());
 }
 
 StandInRecord StandInDevice::record() const {
   StandInRecord record = record_;
-  const DVec3& place = phantom_.true_motion().position;
-  std::copy_n(&place.x, 3, record.handle);
+  const RigidMotion& tool = phantom_.true_motion();
+  std::copy_n(&tool.position.x, 3, record.handle);
+  const DQuat& turn = tool.orientation;
+  const double parts[4] = {turn.x, turn.y, turn.z, turn.w};
+  std::copy_n(parts, 4, record.orientation);
   return record;
 }
 
