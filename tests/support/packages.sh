@@ -7,10 +7,12 @@ palpate_build_packages=(
   libcli11-dev nlohmann-json3-dev
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 binutils make pkg-config
+  libgtest-dev clang-format-14 binutils make patchelf pkg-config
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
 )
+# Making packages that hold the library and all that it needs.
+palpate_package_packages=(binutils patchelf python3)
 palpate_bench_packages=(libfcl-dev libbullet-dev)
 
 missing_packages() {
