@@ -296,6 +296,24 @@ TEST_F(RidingInRealTime, OpeningAnotherDeviceLetsForceFadeInAnew) {
   ASSERT_TRUE(comes_to(PLP_CONDITION_READY, PLP_SAFETY_ARMED));
 }
 
+// Neither waits for ever nor calls into a library that has ended.
+TEST(RidingDeathTest, AProcessMayEndWithADeviceInUse) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      {
+        StandInLibrary library(true);
+        CubeOnFloor floor;
+        plp_device device = nullptr;
+        plp_device_open(StandInLibrary::uri("Default Device").c_str(), &device);
+        plp_scene_set_device(floor.scene.handle, device, nullptr);
+        plp_scene_start(floor.scene.handle, nullptr);
+        plp_device_arm(device);
+        if (!comes_true([&] { return library.record().frames > 20; })) std::exit(1);
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 TEST_F(RidingInRealTime, AStalledSchedulerIsSeen) {
   attach();
   start();
