@@ -268,7 +268,7 @@ void HdDevice::publish(double time, bool silent) {
 
 void HdDevice::actuate(double dt, bool silent) {
   const DeviceWrench wrench = wrench_to_send(dt, silent);
-  set_output(may_push());
+  set_output(may_push() && !silent);
   if (condition_ != DeviceCondition::kLost) send(wrench);
   call_.hdEndFrame(handle_);
   note_errors();
@@ -293,7 +293,7 @@ DeviceWrench HdDevice::wrench_to_send(double dt, bool silent) {
   return {saturated(wanted.force, most_force_), saturated(wanted.torque, most_torque_)};
 }
 
-// Off and on again is also what amplifiers need that have switched themselves off.
+// Off and on again is also what amplifiers need that have switched themselves off, be it unseen in a rest.
 void HdDevice::set_output(bool on) {
   if (on == output_) return;
   output_ = on;

@@ -21,7 +21,7 @@ constexpr int kLeastRate = 100;        // Hz; less is no answer
 // What is later by less is jitter; by more, a debugger's breakpoint or a system that slept: a tick is told.
 constexpr double kLongestTick = 0.25;                     // s
 constexpr std::uint64_t kSilentTicks = 2;                 // in which force surely has ended
-constexpr std::chrono::milliseconds kLongestSilence{20};  // a scheduler that hangs is not waited for
+constexpr std::chrono::milliseconds kLongestSilence{50};  // a scheduler that hangs is not waited for
 constexpr std::chrono::microseconds kLookAgain{200};
 constexpr std::chrono::milliseconds kKeepingPause{20};
 constexpr double kTryAgain = 0.5;  // s from one attempt to take up a lost device to the next

@@ -289,11 +289,13 @@ TEST_F(RidingInRealTime, OpeningAnotherDeviceLetsForceFadeInAnew) {
   ASSERT_EQ(plp_device_arm(device_.handle), PLP_OK);
   ASSERT_TRUE(comes_to(PLP_CONDITION_READY, PLP_SAFETY_ARMED));
   const std::uint64_t ramped = device_.state().limiter_ticks[PLP_LIMITER_RAMP];
+  const std::uint64_t changes = library_.record().output_changes;
   const int starts = library_.starts();
   { const TestDevice touch(StandInLibrary::uri("Left").c_str()); }
   EXPECT_EQ(library_.starts(), starts + 2);
   ASSERT_TRUE(comes_true([&] { return device_.state().limiter_ticks[PLP_LIMITER_RAMP] > ramped + 100; }));
   ASSERT_TRUE(comes_to(PLP_CONDITION_READY, PLP_SAFETY_ARMED));
+  EXPECT_GE(library_.record().output_changes, changes + 2) << "amplifiers too are switched off and on";
 }
 
 // Neither waits for ever nor calls into a library that has ended.
