@@ -29,10 +29,15 @@ class GuardedDevice {
   const DeviceInfo& info() const { return device_->info(); }
   const SafetySettings& own_settings() const { return own_; }  // those that the device came with
   DeviceStatus status();
+  std::string advice(DeviceCondition condition) const { return device_->advice(condition); }
+  bool calibrate() { return device_->calibrate(); }  // false: it needs nobody to do that
   void arm() { post(&SafetyLimits::arm); }
   void disarm() { post(&SafetyLimits::disarm); }
   void set_settings(const SafetySettings& settings);
   bool order_hand(HandOrder order);  // false: no simulated hand holds the device
+
+  // Whoever ticks by itself and takes a servo along; null: a servo has to tick for itself.
+  ServoHost* servo_host() { return device_->servo_host(); }
 
   // What no sensor sees, between two ticks; null where nothing is simulated.
   const SimulatedPhantom* simulated() const { return phantom_; }
@@ -59,6 +64,7 @@ class GuardedDevice {
   void post(std::unique_ptr<Order> order);
   void take_orders();
   void publish();
+  void look_beside(DeviceStatus& status);
 
   const std::unique_ptr<Device> device_;
   SimulatedPhantom* const phantom_;  // device_, if it is one

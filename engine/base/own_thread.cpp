@@ -1,4 +1,4 @@
-#include "engine/runtime/own_thread.h"
+#include "engine/base/own_thread.h"
 
 #include <pthread.h>
 #include <signal.h>
