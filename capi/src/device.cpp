@@ -90,6 +90,15 @@ plp_result plp_device_disarm(plp_device device) {
   });
 }
 
+plp_result plp_device_calibrate(plp_device device) {
+  return guarded([&] {
+    const auto object = pin_device(device);
+    require_handle(object, "device");
+    if (object->device->calibrate()) return;
+    refuse(ErrorCode::kUnsupported, object->device->info().identity.uri + " needs nobody to calibrate it");
+  });
+}
+
 void plp_safety_limits_init(plp_safety_limits* limits, size_t size) {
   fill_struct(plp_safety_limits{}, limits, size);
 }

@@ -7,6 +7,18 @@
 namespace palpate::capi {
 namespace {
 
+static_assert(static_cast<int>(DeviceCondition::kReady) == PLP_CONDITION_READY);
+static_assert(static_cast<int>(DeviceCondition::kNeedsCalibration) == PLP_CONDITION_NEEDS_CALIBRATION);
+static_assert(static_cast<int>(DeviceCondition::kWarmMotors) == PLP_CONDITION_WARM_MOTORS);
+static_assert(static_cast<int>(DeviceCondition::kExceededForce) == PLP_CONDITION_EXCEEDED_FORCE);
+static_assert(static_cast<int>(DeviceCondition::kExceededVelocity) == PLP_CONDITION_EXCEEDED_VELOCITY);
+static_assert(static_cast<int>(DeviceCondition::kLost) == PLP_CONDITION_LOST);
+static_assert(static_cast<int>(DeviceCondition::kFailed) == PLP_CONDITION_FAILED);
+static_assert(static_cast<int>(DeviceCondition::kNoLibrary) == PLP_CONDITION_NO_LIBRARY);
+static_assert(static_cast<int>(DeviceCondition::kWrongLibrary) == PLP_CONDITION_WRONG_LIBRARY);
+static_assert(static_cast<int>(DeviceCondition::kCannotOpen) == PLP_CONDITION_CANNOT_OPEN);
+static_assert(static_cast<int>(DeviceCondition::kWithheld) == PLP_CONDITION_WITHHELD);
+
 // Cut where it is too long.
 template <std::size_t kSize>
 void store_text(const std::string& text, char (&out)[kSize]) {
@@ -39,6 +51,8 @@ plp_device_info info_of(const DeviceInfo& info) {
   store_text(info.identity.name, out.name);
   store_text(info.identity.serial, out.serial);
   store_limits(info.limits, out);
+  out.condition = static_cast<std::int32_t>(info.condition);
+  store_text(info.advice.empty() ? std::string(advice_on(info.condition)) : info.advice, out.status);
   return out;
 }
 
@@ -75,6 +89,9 @@ plp_result plp_device_get_info(plp_device device, plp_device_info* info) {
   return guarded([&] {
     const auto object = device_table().pin(bits_of(device));
     require_handle(object, "device");
-    write_struct(info_of(object->device->info()), info, "info");
+    DeviceInfo now = object->device->info();
+    now.condition = object->device->status().state.condition;
+    now.advice = object->device->advice(now.condition);
+    write_struct(info_of(now), info, "info");
   });
 }

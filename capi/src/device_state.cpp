@@ -21,6 +21,7 @@ static_assert(static_cast<int>(Limiter::kTorqueClamp) == PLP_LIMITER_TORQUE_CLAM
 static_assert(static_cast<int>(Limiter::kForceSlew) == PLP_LIMITER_FORCE_SLEW);
 static_assert(static_cast<int>(Limiter::kTorqueSlew) == PLP_LIMITER_TORQUE_SLEW);
 static_assert(static_cast<int>(Limiter::kRamp) == PLP_LIMITER_RAMP);
+static_assert(static_cast<int>(Limiter::kDevice) == PLP_LIMITER_DEVICE);
 static_assert(kLimiters <= std::size(plp_device_state{}.limiter_ticks));
 
 plp_wrench wrench_of(const DeviceWrench& wrench) {
@@ -54,6 +55,8 @@ plp_device_state state_of(const DeviceStatus& status) {
   out.time = status.state.time;
   out.sequence = status.state.sequence;
   out.calibrated = status.state.calibrated;
+  out.condition = static_cast<std::int32_t>(status.state.condition);
+  out.temperature = status.state.temperature;
   out.commanded = wrench_of(status.wanted);
   out.applied = wrench_of(status.applied);
   out.unactuated = status.unactuated;

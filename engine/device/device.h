@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "engine/device/device_info.h"
 #include "engine/device/device_state.h"
 #include "engine/device/device_wrench.h"
@@ -22,6 +25,15 @@ class Device {
   // What the actuators hold until the next call, or until the device's own watchdog sets them to zero. Safety
   // limits come before: a device saturates, but does not judge.
   virtual void write(const DeviceWrench& wrench) = 0;
+
+  // The newest sample for any thread, beside whoever ticks; none where samples come with ticks alone.
+  virtual std::optional<DeviceState> glance() { return std::nullopt; }
+
+  // From any thread: the handle is where calibration wants it. False: the device calibrates itself, or never.
+  virtual bool calibrate() { return false; }
+
+  // What its user can do about a condition of it, in one sentence.
+  virtual std::string advice(DeviceCondition condition) const { return std::string(advice_on(condition)); }
 
   // Lets `dt` seconds pass for a device whose time does not pass by itself; hardware has nothing to do.
   virtual void step(double dt) = 0;

@@ -19,7 +19,8 @@ class DeviceBackend {
   // What stands before the colon of its URIs.
   virtual std::string_view scheme() const = 0;
 
-  // The devices that could be opened now. What only an open device tells is left at zero.
+  // The devices that could be opened now, and those that could be if their advice were followed. What only an
+  // open device tells is left at zero.
   virtual std::vector<DeviceInfo> enumerate() const = 0;
 
   // The device whose URI is "scheme:name"; a null pointer if there is none, an Error if it cannot be opened.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/device/device_condition.h"
 #include "engine/math/box.h"
 
 namespace palpate {
@@ -43,6 +44,8 @@ struct DeviceInfo {
   DeviceIdentity identity;
   DeviceCapabilities capabilities;
   DeviceLimits limits;
+  DeviceCondition condition = DeviceCondition::kReady;  // when it was listed or opened
+  std::string advice{};                                 // what its user can do about that; empty: nothing
 };
 
 }  // namespace palpate

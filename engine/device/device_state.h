@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/device/device_condition.h"
 #include "engine/device/rigid_motion.h"
 
 namespace palpate {
@@ -13,6 +14,8 @@ struct DeviceState {
   std::uint64_t sequence = 0;  // grows with every sample: equal means nothing new was measured
   std::uint32_t buttons = 0;   // bit i is set while button i is held
   bool calibrated = false;     // a pose that is not calibrated must not be turned into force
+  DeviceCondition condition = DeviceCondition::kReady;
+  double temperature = 0.0;  // of the hottest motor, from 0, cold, to 1, too hot; 0 where none is measured
 };
 
 }  // namespace palpate

@@ -84,7 +84,21 @@ GuardedDevice::~GuardedDevice() {
 DeviceStatus GuardedDevice::status() {
   const std::lock_guard lock(asking_);
   shown_.fetch();
-  return shown_.front();
+  DeviceStatus status = shown_.front();
+  look_beside(status);
+  return status;
+}
+
+// A device that nobody ticks, for its scene or at all, is shown as it is now.
+void GuardedDevice::look_beside(DeviceStatus& status) {
+  const std::optional<DeviceState> now = device_->glance();
+  if (!now) return;
+  if (!claimed_.raised()) status.state = *now;
+  if (!is_fault(now->condition)) return;
+  status.state.condition = now->condition;
+  status.applied = {};
+  status.safety.state = SafetyState::kFault;
+  status.safety.gain = 0.0;
 }
 
 void GuardedDevice::set_settings(const SafetySettings& settings) {

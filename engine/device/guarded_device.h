@@ -29,6 +29,8 @@ class GuardedDevice {
   const DeviceInfo& info() const { return device_->info(); }
   const SafetySettings& own_settings() const { return own_; }  // those that the device came with
   DeviceStatus status();
+  std::string advice(DeviceCondition condition) const { return device_->advice(condition); }
+  bool calibrate() { return device_->calibrate(); }  // false: it needs nobody to do that
   void arm() { post(&SafetyLimits::arm); }
   void disarm() { post(&SafetyLimits::disarm); }
   void set_settings(const SafetySettings& settings);
@@ -59,6 +61,7 @@ class GuardedDevice {
   void post(std::unique_ptr<Order> order);
   void take_orders();
   void publish();
+  void look_beside(DeviceStatus& status);
 
   const std::unique_ptr<Device> device_;
   SimulatedPhantom* const phantom_;  // device_, if it is one

@@ -6,10 +6,23 @@
 #include "engine/device/simulated/simulated_backend.h"
 
 namespace palpate {
+namespace {
+
+template <class Backend>
+std::unique_ptr<DeviceBackend> make() {
+  return std::make_unique<Backend>();
+}
+
+// Every build has these; the first one's first device is the default.
+constexpr std::unique_ptr<DeviceBackend> (*kStandard[])() = {
+    make<SimulatedBackend>,
+};
+
+}  // namespace
 
 DeviceRegistry DeviceRegistry::standard() {
   DeviceRegistry registry;
-  registry.add(std::make_unique<SimulatedBackend>());
+  for (const auto make_backend : kStandard) registry.add(make_backend());
   return registry;
 }
 
@@ -48,6 +61,7 @@ Error DeviceRegistry::unknown(std::string_view uri) const {
   std::string message = "no device \"" + std::string(uri) + "\"; there are";
   const char* separator = " ";
   for (const DeviceInfo& info : enumerate()) {
+    if (!is_openable(info.condition)) continue;
     message += separator + info.identity.uri;
     separator = ", ";
   }

@@ -19,7 +19,7 @@ class DeviceRegistry {
 
   void add(std::unique_ptr<DeviceBackend> backend);
 
-  // In the order in which the backends were added.
+  // In the order in which the backends were added; those that cannot be opened, too, with advice.
   std::vector<DeviceInfo> enumerate() const;
 
   // The device that a URI names, or the default for an empty one. The error names what exists.

@@ -66,6 +66,7 @@ bool SafetyLimits::find_faults(const Command& command, const DeviceState& state,
   faulty |= note(Limiter::kPoseJump, finite && jumped(state));
   faulty |= note(Limiter::kStaleServo, servo_.age() > settings_.watchdog);
   faulty |= note(Limiter::kStalePose, pose_.age() > settings_.watchdog);
+  faulty |= note(Limiter::kDevice, is_fault(state.condition));
   if (finite && new_pose) {
     previous_ = state;
     has_previous_ = true;

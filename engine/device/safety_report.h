@@ -13,7 +13,7 @@ enum class SafetyState : std::uint8_t {
   kFault,  // no force until the cause has been away for a while
 };
 
-// Everything that can change a wrench, in the order in which it is looked at.
+// Everything that can change a wrench; but for the last, in the order in which it is looked at.
 enum class Limiter : std::uint8_t {
   kLongTick,         // time stood still, as at a debugger's breakpoint: back to the ramp
   kNonFiniteWrench,  // fault
@@ -26,8 +26,9 @@ enum class Limiter : std::uint8_t {
   kForceSlew,
   kTorqueSlew,
   kRamp,
+  kDevice,  // fault: the device itself reports one
 };
-constexpr std::size_t kLimiters = static_cast<std::size_t>(Limiter::kRamp) + 1;
+constexpr std::size_t kLimiters = static_cast<std::size_t>(Limiter::kDevice) + 1;
 
 // What the limiters did.
 struct SafetyReport {

@@ -38,6 +38,8 @@ void print_json(const std::vector<plp_device_info>& infos) {
         .field("update_rate", info.update_rate)
         .field("workspace_min", std::span(info.workspace_min))
         .field("workspace_max", std::span(info.workspace_max))
+        .field("condition", info.condition)
+        .field("status", info.status)
         .close();
   }
   json.close();
@@ -45,9 +47,14 @@ void print_json(const std::vector<plp_device_info>& infos) {
 }
 
 void print_table(const std::vector<plp_device_info>& infos) {
-  for (const plp_device_info& info : infos)
+  for (const plp_device_info& info : infos) {
+    if (info.condition != PLP_CONDITION_READY || info.max_force == 0.0) {
+      std::printf("%-20s %s: %s\n", info.uri, info.name, info.status);
+      continue;
+    }
     std::printf("%-20s %s: %g N, %g N·m, up to %g N/m\n", info.uri, info.name, info.max_force,
                 info.max_torque, info.max_stiffness);
+  }
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ void expect_handle_refused(plp_device device) {
   EXPECT_EQ(plp_device_get_state(device, &state), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_device_arm(device), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_device_disarm(device), PLP_ERROR_INVALID_HANDLE);
+  EXPECT_EQ(plp_device_calibrate(device), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_device_set_limits(device, &limits), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_device_set_hand(device, &hand), PLP_ERROR_INVALID_HANDLE);
   EXPECT_EQ(plp_device_set_hand_poses(device, &time, &pose, 1), PLP_ERROR_INVALID_HANDLE);

@@ -70,6 +70,9 @@ TEST(Devices, AreOpenedByUri) {
   EXPECT_EQ(premium.info().workspace_max[0], 0.1905);
   EXPECT_STREQ(touch.info().uri, "sim:touch?delay=2");
   EXPECT_EQ(touch.info().max_torque, 0.0);
+  EXPECT_EQ(touch.info().condition, PLP_CONDITION_READY);
+  EXPECT_STREQ(touch.info().status, "ready");
+  EXPECT_EQ(plp_device_calibrate(touch.handle), PLP_ERROR_UNSUPPORTED);
   EXPECT_EQ(touch.info().buttons, 2u);
 }
 

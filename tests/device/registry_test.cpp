@@ -29,13 +29,13 @@ TEST(DeviceRegistry, OpensEverythingItEnumerates) {
   const auto found = registry.enumerate();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found.front().identity.uri, kDefaultDeviceUri);
-  for (const auto& [identity, capabilities, limits] : found) {
-    const auto opened = registry.open(identity.uri);
-    ASSERT_TRUE(opened) << identity.uri;
-    EXPECT_EQ(opened.value()->info().capabilities.actuated, capabilities.actuated);
-    EXPECT_EQ(opened.value()->info().limits.max_force, limits.max_force);
-    EXPECT_EQ(opened.value()->info().identity.uri, identity.uri);
-    EXPECT_EQ(opened.value()->info().identity.name, identity.name);
+  for (const DeviceInfo& listed : found) {
+    const auto opened = registry.open(listed.identity.uri);
+    ASSERT_TRUE(opened) << listed.identity.uri;
+    EXPECT_EQ(opened.value()->info().capabilities.actuated, listed.capabilities.actuated);
+    EXPECT_EQ(opened.value()->info().limits.max_force, listed.limits.max_force);
+    EXPECT_EQ(opened.value()->info().identity.uri, listed.identity.uri);
+    EXPECT_EQ(opened.value()->info().identity.name, listed.identity.name);
   }
 }
 

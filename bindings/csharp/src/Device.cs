@@ -15,7 +15,7 @@ namespace Palpate
             handle = new DeviceHandle(value);
         }
 
-        /// <summary>The devices that could be opened now.</summary>
+        /// <summary>The devices that could be opened now, and the ways to devices that are missing something.</summary>
         public static DeviceInfo[] List()
         {
             UIntPtr count;
@@ -73,6 +73,10 @@ namespace Palpate
 
         /// <summary>Lets force fade in from the next tick on.</summary>
         public void Arm() => Check(Raw.plp_device_arm(handle.Value));
+
+        /// <summary>Tells a device that needs it that its handle is now where its maker wants it for
+        /// calibration.</summary>
+        public void Calibrate() => Check(Raw.plp_device_calibrate(handle.Value));
 
         /// <summary>Ends all force from the next tick on, at once.</summary>
         public void Disarm() => Check(Raw.plp_device_disarm(handle.Value));

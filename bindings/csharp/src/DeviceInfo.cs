@@ -1,6 +1,41 @@
 // SPDX-License-Identifier: MIT
 namespace Palpate
 {
+    /// <summary>What a device, or the way to it, says of itself. All but the first two give no force.</summary>
+    public enum Condition
+    {
+        Ready = Raw.PLP_CONDITION_READY,
+
+        /// <summary>Its pose is not to be trusted yet, and there is no force.</summary>
+        NeedsCalibration = Raw.PLP_CONDITION_NEEDS_CALIBRATION,
+
+        /// <summary>Until they have cooled down.</summary>
+        WarmMotors = Raw.PLP_CONDITION_WARM_MOTORS,
+
+        /// <summary>Told to push harder than it can, it has let go for a while.</summary>
+        ExceededForce = Raw.PLP_CONDITION_EXCEEDED_FORCE,
+
+        /// <summary>Moved faster than it follows, it has let go for a while.</summary>
+        ExceededVelocity = Raw.PLP_CONDITION_EXCEEDED_VELOCITY,
+
+        /// <summary>It does not answer; once it does, it is taken up again.</summary>
+        Lost = Raw.PLP_CONDITION_LOST,
+
+        /// <summary>Its driver reports another error.</summary>
+        Failed = Raw.PLP_CONDITION_FAILED,
+
+        /// <summary>Listed only, as the next three: what reaches it is not installed.</summary>
+        NoLibrary = Raw.PLP_CONDITION_NO_LIBRARY,
+
+        /// <summary>What is installed lacks a part.</summary>
+        WrongLibrary = Raw.PLP_CONDITION_WRONG_LIBRARY,
+
+        CannotOpen = Raw.PLP_CONDITION_CANNOT_OPEN,
+
+        /// <summary>Another way to it is the right one, or the system does not permit this one.</summary>
+        Withheld = Raw.PLP_CONDITION_WITHHELD
+    }
+
     /// <summary>What a haptic device is and can do. What it cannot actuate has limits of zero.</summary>
     public sealed unsafe class DeviceInfo
     {
@@ -23,6 +58,8 @@ namespace Palpate
             UpdateRate = info.update_rate;
             WorkspaceMin = *(Vector3d*)info.workspace_min;
             WorkspaceMax = *(Vector3d*)info.workspace_max;
+            Condition = (Condition)info.condition;
+            Status = Utf8.Text(info.status);
         }
 
         /// <summary>What Device.Open takes.</summary>
@@ -73,6 +110,11 @@ namespace Palpate
         public Vector3d WorkspaceMin { get; }
 
         public Vector3d WorkspaceMax { get; }
+
+        public Condition Condition { get; }
+
+        /// <summary>What its user can do about its condition.</summary>
+        public string Status { get; }
 
         public override string ToString() => $"{Uri}: {Name}";
     }

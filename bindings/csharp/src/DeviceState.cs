@@ -39,7 +39,10 @@ namespace Palpate
         TorqueClamp = 1u << Raw.PLP_LIMITER_TORQUE_CLAMP,
         ForceSlew = 1u << Raw.PLP_LIMITER_FORCE_SLEW,
         TorqueSlew = 1u << Raw.PLP_LIMITER_TORQUE_SLEW,
-        Ramp = 1u << Raw.PLP_LIMITER_RAMP
+        Ramp = 1u << Raw.PLP_LIMITER_RAMP,
+
+        /// <summary>The device reports a fault, its Condition.</summary>
+        Device = 1u << Raw.PLP_LIMITER_DEVICE
     }
 
     /// <summary>A device after a tick, in its base frame: +x right, +y up, +z to the user, metres.</summary>
@@ -97,10 +100,15 @@ namespace Palpate
 
         public ulong Ticks => state.ticks;
 
+        public Condition Condition => (Condition)state.condition;
+
+        /// <summary>Of the hottest motor: 0 cold, 1 too hot; 0 where none is measured.</summary>
+        public double Temperature => state.temperature;
+
         /// <summary>Ticks in which a limiter has acted.</summary>
         public ulong TicksOf(Limiters limiter)
         {
-            for (int i = 0; i <= Raw.PLP_LIMITER_RAMP; ++i)
+            for (int i = 0; i <= Raw.PLP_LIMITER_DEVICE; ++i)
             {
                 if ((uint)limiter == 1u << i)
                 {

@@ -74,6 +74,18 @@ namespace Palpate
         public const int PLP_BODY_MOVING = 1;
         public const int PLP_BODY_TOOL = 2;
 
+        public const int PLP_CONDITION_READY = 0;
+        public const int PLP_CONDITION_NEEDS_CALIBRATION = 1;
+        public const int PLP_CONDITION_WARM_MOTORS = 2;
+        public const int PLP_CONDITION_EXCEEDED_FORCE = 3;
+        public const int PLP_CONDITION_EXCEEDED_VELOCITY = 4;
+        public const int PLP_CONDITION_LOST = 5;
+        public const int PLP_CONDITION_FAILED = 6;
+        public const int PLP_CONDITION_NO_LIBRARY = 7;
+        public const int PLP_CONDITION_WRONG_LIBRARY = 8;
+        public const int PLP_CONDITION_CANNOT_OPEN = 9;
+        public const int PLP_CONDITION_WITHHELD = 10;
+
         public const int PLP_SAFETY_DISARMED = 0;
         public const int PLP_SAFETY_RAMPING = 1;
         public const int PLP_SAFETY_ARMED = 2;
@@ -90,6 +102,7 @@ namespace Palpate
         public const int PLP_LIMITER_FORCE_SLEW = 8;
         public const int PLP_LIMITER_TORQUE_SLEW = 9;
         public const int PLP_LIMITER_RAMP = 10;
+        public const int PLP_LIMITER_DEVICE = 11;
 
         public const int PLP_GRIP_RELEASED = 0;
         public const int PLP_GRIP_LIGHT = 1;
@@ -362,6 +375,9 @@ namespace Palpate
             public double update_rate;
             public fixed double workspace_min[3];
             public fixed double workspace_max[3];
+            public int condition;
+            public uint reserved;
+            public fixed byte status[512];
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -383,6 +399,9 @@ namespace Palpate
             public int unactuated;
             public ulong ticks;
             public fixed ulong limiter_ticks[16];
+            public int condition;
+            public uint reserved;
+            public double temperature;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -600,6 +619,9 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_arm(IntPtr device);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_device_calibrate(IntPtr device);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_device_disarm(IntPtr device);

@@ -670,6 +670,21 @@ PLP_API plp_result plp_shutdown_all(void);
  */
 typedef struct plp_device_t* plp_device;
 
+/** What a device, or the way to it, says of itself. All but the first two give no force. */
+typedef enum plp_condition {
+  PLP_CONDITION_READY = 0,
+  PLP_CONDITION_NEEDS_CALIBRATION = 1, /**< its pose is not to be trusted yet, and there is no force */
+  PLP_CONDITION_WARM_MOTORS = 2,       /**< until they have cooled down */
+  PLP_CONDITION_EXCEEDED_FORCE = 3,    /**< told to push harder than it can, it has let go for a while */
+  PLP_CONDITION_EXCEEDED_VELOCITY = 4, /**< moved faster than it follows, it has let go for a while */
+  PLP_CONDITION_LOST = 5,              /**< it does not answer; once it does, it is taken up again */
+  PLP_CONDITION_FAILED = 6,            /**< its driver reports another error */
+  PLP_CONDITION_NO_LIBRARY = 7,    /**< listed only, as the next three: what reaches it is not installed */
+  PLP_CONDITION_WRONG_LIBRARY = 8, /**< what is installed lacks a part */
+  PLP_CONDITION_CANNOT_OPEN = 9,
+  PLP_CONDITION_WITHHELD = 10 /**< another way to it is the right one, or the system does not permit it */
+} plp_condition;
+
 /** What a device is and can do. A degree of freedom that is not actuated has limits of zero. */
 typedef struct plp_device_info {
   uint32_t struct_size;
@@ -690,13 +705,17 @@ typedef struct plp_device_info {
   double update_rate;         /**< Hz */
   double workspace_min[3];    /**< m, base frame */
   double workspace_max[3];    /**< m, base frame */
+  int32_t condition;          /**< plp_condition, now */
+  uint32_t reserved;          /**< 0 */
+  char status[512];           /**< what its user can do about its condition; UTF-8 and terminated */
 } plp_device_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
 PLP_API void plp_device_info_init(plp_device_info* info, size_t size);
 
 /**
- * @brief Lists the devices that could be opened now. Limits that only an open device tells are zero.
+ * @brief Lists the devices that could be opened now, and the ways to devices that are missing something, with
+ * their condition and what is to be done. Limits that only an open device tells are zero.
  * @param infos `capacity` of them; the first one's struct_size counts for all, and is the distance from one
  * to the next. May be null if `capacity` is 0. @param count receives how many devices there are, which may be
  * more.
@@ -749,7 +768,8 @@ typedef enum plp_limiter {
   PLP_LIMITER_TORQUE_CLAMP = 7,
   PLP_LIMITER_FORCE_SLEW = 8,
   PLP_LIMITER_TORQUE_SLEW = 9,
-  PLP_LIMITER_RAMP = 10
+  PLP_LIMITER_RAMP = 10,
+  PLP_LIMITER_DEVICE = 11 /**< fault: the device reports one (plp_device_state::condition) */
 } plp_limiter;
 
 /** A device after a tick. Poses, velocities and wrenches are in its base frame. */
@@ -770,6 +790,9 @@ typedef struct plp_device_state {
   int32_t unactuated;         /**< 1: part of `commanded` was dropped, because there are no motors for it */
   uint64_t ticks;
   uint64_t limiter_ticks[16]; /**< by plp_limiter: ticks in which each has acted */
+  int32_t condition;          /**< plp_condition */
+  uint32_t reserved;          /**< 0 */
+  double temperature;         /**< of the hottest motor: 0 cold, 1 too hot; 0 where none is measured */
 } plp_device_state;
 
 /** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */
@@ -783,6 +806,12 @@ PLP_API plp_result plp_device_get_state(plp_device device, plp_device_state* sta
 /** @brief Lets force fade in from the next tick on. @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_device_arm(plp_device device);
+
+/** @brief Tells a device that needs it that its handle is now where its maker wants it for calibration: of a
+ * PHANToM Premium all links are at right angles. Force ends meanwhile. Its condition tells whether it
+ * succeeded. @return PLP_ERROR_UNSUPPORTED for a device that calibrates itself; _INVALID_HANDLE.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_device_calibrate(plp_device device);
 
 /** @brief Ends all force from the next tick on, at once. @return as plp_device_arm.
  *  @threadsafety any @since 0.1 */

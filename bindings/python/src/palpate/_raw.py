@@ -69,6 +69,18 @@ PLP_BODY_STATIC = 0
 PLP_BODY_MOVING = 1
 PLP_BODY_TOOL = 2
 
+PLP_CONDITION_READY = 0
+PLP_CONDITION_NEEDS_CALIBRATION = 1
+PLP_CONDITION_WARM_MOTORS = 2
+PLP_CONDITION_EXCEEDED_FORCE = 3
+PLP_CONDITION_EXCEEDED_VELOCITY = 4
+PLP_CONDITION_LOST = 5
+PLP_CONDITION_FAILED = 6
+PLP_CONDITION_NO_LIBRARY = 7
+PLP_CONDITION_WRONG_LIBRARY = 8
+PLP_CONDITION_CANNOT_OPEN = 9
+PLP_CONDITION_WITHHELD = 10
+
 PLP_SAFETY_DISARMED = 0
 PLP_SAFETY_RAMPING = 1
 PLP_SAFETY_ARMED = 2
@@ -85,6 +97,7 @@ PLP_LIMITER_TORQUE_CLAMP = 7
 PLP_LIMITER_FORCE_SLEW = 8
 PLP_LIMITER_TORQUE_SLEW = 9
 PLP_LIMITER_RAMP = 10
+PLP_LIMITER_DEVICE = 11
 
 PLP_GRIP_RELEASED = 0
 PLP_GRIP_LIGHT = 1
@@ -341,6 +354,9 @@ class plp_device_info(Structure):
         ("update_rate", c_double),
         ("workspace_min", c_double * 3),
         ("workspace_max", c_double * 3),
+        ("condition", c_int32),
+        ("reserved", c_uint32),
+        ("status", c_char * 512),
     ]
 
 
@@ -362,6 +378,9 @@ class plp_device_state(Structure):
         ("unactuated", c_int32),
         ("ticks", c_uint64),
         ("limiter_ticks", c_uint64 * 16),
+        ("condition", c_int32),
+        ("reserved", c_uint32),
+        ("temperature", c_double),
     ]
 
 
@@ -495,6 +514,7 @@ plp_device_get_info = _function("plp_device_get_info", _result, _handle, POINTER
 plp_device_state_init = _function("plp_device_state_init", None, POINTER(plp_device_state), c_size_t)
 plp_device_get_state = _function("plp_device_get_state", _result, _handle, POINTER(plp_device_state))
 plp_device_arm = _function("plp_device_arm", _result, _handle)
+plp_device_calibrate = _function("plp_device_calibrate", _result, _handle)
 plp_device_disarm = _function("plp_device_disarm", _result, _handle)
 plp_safety_limits_init = _function("plp_safety_limits_init", None, POINTER(plp_safety_limits), c_size_t)
 plp_device_set_limits = _function("plp_device_set_limits", _result, _handle, POINTER(plp_safety_limits))

@@ -13,6 +13,22 @@ from .contacts import Wrench
 from .pose import Pose, PoseLike, pose_of, pose_struct
 
 
+class Condition(IntEnum):
+    """What a device, or the way to it, says of itself."""
+
+    READY = _raw.PLP_CONDITION_READY
+    NEEDS_CALIBRATION = _raw.PLP_CONDITION_NEEDS_CALIBRATION
+    WARM_MOTORS = _raw.PLP_CONDITION_WARM_MOTORS
+    EXCEEDED_FORCE = _raw.PLP_CONDITION_EXCEEDED_FORCE
+    EXCEEDED_VELOCITY = _raw.PLP_CONDITION_EXCEEDED_VELOCITY
+    LOST = _raw.PLP_CONDITION_LOST
+    FAILED = _raw.PLP_CONDITION_FAILED
+    NO_LIBRARY = _raw.PLP_CONDITION_NO_LIBRARY
+    WRONG_LIBRARY = _raw.PLP_CONDITION_WRONG_LIBRARY
+    CANNOT_OPEN = _raw.PLP_CONDITION_CANNOT_OPEN
+    WITHHELD = _raw.PLP_CONDITION_WITHHELD
+
+
 class DeviceInfo(NamedTuple):
     """What a device is and can do. The fields are those of plp_device_info in palpate.h."""
 
@@ -33,6 +49,8 @@ class DeviceInfo(NamedTuple):
     update_rate: float
     workspace_min: tuple[float, float, float]
     workspace_max: tuple[float, float, float]
+    condition: Condition
+    status: str
 
 
 class Safety(IntEnum):
@@ -58,6 +76,7 @@ class Limiter(IntEnum):
     FORCE_SLEW = _raw.PLP_LIMITER_FORCE_SLEW
     TORQUE_SLEW = _raw.PLP_LIMITER_TORQUE_SLEW
     RAMP = _raw.PLP_LIMITER_RAMP
+    DEVICE = _raw.PLP_LIMITER_DEVICE
 
 
 class DeviceState(NamedTuple):
@@ -78,6 +97,8 @@ class DeviceState(NamedTuple):
     ticks: int
     limiters: frozenset[Limiter]
     limiter_ticks: dict[Limiter, int]
+    condition: Condition
+    temperature: float
 
 
 class Grip(IntEnum):
@@ -104,7 +125,7 @@ def _info_of(struct: _raw.plp_device_info) -> DeviceInfo:
                       struct.actuated, struct.max_force, struct.continuous_force, struct.max_torque,
                       struct.continuous_torque, struct.max_stiffness, struct.max_damping, struct.position_resolution,
                       struct.angle_resolution, struct.update_rate, tuple(struct.workspace_min),
-                      tuple(struct.workspace_max))
+                      tuple(struct.workspace_max), Condition(struct.condition), struct.status.decode(errors="replace"))
 
 
 def _wrench_of(struct: _raw.plp_wrench) -> Wrench:
@@ -112,7 +133,7 @@ def _wrench_of(struct: _raw.plp_wrench) -> Wrench:
 
 
 def devices() -> list[DeviceInfo]:
-    """The devices that could be opened now."""
+    """The devices that could be opened now, and the ways to devices that are missing something, with their status."""
     count = c_size_t()
     check(_raw.plp_device_list(None, 0, byref(count)))
     structs = (_raw.plp_device_info * max(count.value, 1))()
@@ -147,11 +168,16 @@ class Device(Closing):
                            struct.gain, _wrench_of(struct.commanded), _wrench_of(struct.applied),
                            bool(struct.unactuated), struct.ticks,
                            frozenset(limiter for limiter in Limiter if struct.limiters >> limiter & 1),
-                           {limiter: struct.limiter_ticks[limiter] for limiter in Limiter})
+                           {limiter: struct.limiter_ticks[limiter] for limiter in Limiter},
+                           Condition(struct.condition), struct.temperature)
 
     def arm(self) -> None:
         """Lets force fade in from the next tick on."""
         check(_raw.plp_device_arm(self._handle))
+
+    def calibrate(self) -> None:
+        """Tells a device that needs it that its handle is now where its maker wants it for calibration."""
+        check(_raw.plp_device_calibrate(self._handle))
 
     def disarm(self) -> None:
         """Ends all force from the next tick on."""
