@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/device/hid/hid_backend.h"
 #include "engine/device/simulated/simulated_backend.h"
 
 namespace palpate {
@@ -16,6 +17,7 @@ std::unique_ptr<DeviceBackend> make() {
 // Every build has these; the first one's first device is the default.
 constexpr std::unique_ptr<DeviceBackend> (*kStandard[])() = {
     make<SimulatedBackend>,
+    make<HidBackend>,
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "engine/base/clock.h"
-#include "engine/runtime/own_thread.h"
+#include "engine/base/own_thread.h"
 
 namespace palpate {
 namespace {

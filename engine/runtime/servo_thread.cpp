@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "engine/runtime/own_thread.h"
+#include "engine/base/own_thread.h"
 
 namespace palpate {
 namespace {
