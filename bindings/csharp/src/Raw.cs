@@ -402,6 +402,7 @@ namespace Palpate
             public int condition;
             public uint reserved;
             public double temperature;
+            public ulong lost;
         }
 
         [StructLayout(LayoutKind.Sequential)]
