@@ -58,6 +58,6 @@ plp_result plp_scene_set_device(plp_scene scene, plp_device device, const plp_de
       require_handle(given, "device");
       shared = given->device;
     }
-    value_or_refuse(object->scene.set_device(std::move(shared), checked));
+    value_or_refuse(object->threads.set_device(std::move(shared), checked));
   });
 }

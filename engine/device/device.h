@@ -6,6 +6,7 @@
 #include "engine/device/device_info.h"
 #include "engine/device/device_state.h"
 #include "engine/device/device_wrench.h"
+#include "engine/device/servo_host.h"
 
 namespace palpate {
 
@@ -32,6 +33,9 @@ class Device {
 
   // The newest sample for any thread, beside whoever ticks; none where samples come with ticks alone.
   virtual std::optional<DeviceState> glance() { return std::nullopt; }
+
+  // Whose thread owns the loop, if it is not for the caller to make one.
+  virtual ServoHost* servo_host() { return nullptr; }
 
   // From any thread: the handle is where calibration wants it. False: the device calibrates itself, or never.
   virtual bool calibrate() { return false; }

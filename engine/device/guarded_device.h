@@ -36,6 +36,9 @@ class GuardedDevice {
   void set_settings(const SafetySettings& settings);
   bool order_hand(HandOrder order);  // false: no simulated hand holds the device
 
+  // Whoever ticks by itself and takes a servo along; null: a servo has to tick for itself.
+  ServoHost* servo_host() { return device_->servo_host(); }
+
   // What no sensor sees, between two ticks; null where nothing is simulated.
   const SimulatedPhantom* simulated() const { return phantom_; }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/device/hid/hid_backend.h"
+#include "engine/device/openhaptics/openhaptics_backend.h"
 #include "engine/device/simulated/simulated_backend.h"
 
 namespace palpate {
@@ -17,6 +18,7 @@ std::unique_ptr<DeviceBackend> make() {
 // Every build has these; the first one's first device is the default.
 constexpr std::unique_ptr<DeviceBackend> (*kStandard[])() = {
     make<SimulatedBackend>,
+    make<OpenHapticsBackend>,
     make<HidBackend>,
 };
 

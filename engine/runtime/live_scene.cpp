@@ -177,6 +177,11 @@ Status LiveScene::set_device(std::shared_ptr<GuardedDevice> device, const Device
   return Done{};
 }
 
+std::shared_ptr<GuardedDevice> LiveScene::device() {
+  const std::lock_guard lock(mutex_);
+  return device_;
+}
+
 Status LiveScene::step() {
   const std::lock_guard lock(mutex_);
   if (live_) return Error{ErrorCode::kWrongState, "the scene's servo runs"};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/device/servo_task.h"
 #include "engine/exchange/counter.h"
 #include "engine/exchange/mailbox.h"
 #include "engine/exchange/triple_slot.h"
@@ -14,7 +15,6 @@
 #include "engine/runtime/global_search.h"
 #include "engine/runtime/haptic_loop.h"
 #include "engine/runtime/servo_state.h"
-#include "engine/runtime/servo_task.h"
 #include "engine/runtime/survey.h"
 
 namespace palpate {
@@ -47,6 +47,7 @@ class LiveScene : public ServoTask {
   // device before may be given to anybody, unless a servo takes longer than 0.1 s for a tick. Errors:
   // kWrongState (another scene has the device).
   Status set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping);
+  std::shared_ptr<GuardedDevice> device();
 
   // Errors: kWrongState (it is live). If it throws, the outcome is what it was.
   Status step();

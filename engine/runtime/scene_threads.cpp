@@ -48,7 +48,36 @@ Status SceneThreads::start(const ServoOptions& options, ServoTask& task) {
     stop_threads();
     return Error{ErrorCode::kLimit, "the system allows no more threads"};
   }
-  Status started = servo_.start(task, options);
+  options_ = options;
+  task_ = &task;
+  Status started = start_servo();
+  if (!started) stop_threads();
+  return started;
+}
+
+Status SceneThreads::start_servo() {
+  std::shared_ptr<GuardedDevice> device = scene_.device();
+  was_hosted_ = device && device->servo_host();
+  if (!was_hosted_) return servo_.start(*task_, options_);
+  hosted_.start(*task_, std::move(device));
+  return Done{};
+}
+
+void SceneThreads::stop_servo() {
+  servo_.stop();
+  hosted_.stop();
+}
+
+// The device is exchanged by the loop that there is, which only then gives way.
+Status SceneThreads::set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
+  const std::lock_guard all(running().mutex);
+  const std::lock_guard lock(mutex_);
+  const std::shared_ptr<GuardedDevice> before = scene_.device();
+  const bool stays = device == before || !((device && device->servo_host()) || hosted_.running());
+  Status given = scene_.set_device(std::move(device), mapping);
+  if (!given || stays || !running().scenes.contains(this)) return given;
+  stop_servo();
+  Status started = start_servo();
   if (!started) stop_threads();
   return started;
 }
@@ -61,7 +90,7 @@ void SceneThreads::stop() {
 
 void SceneThreads::stop_threads() {
   if (running().scenes.erase(this) == 0) return;
-  servo_.stop();
+  stop_servo();
   if (search_.joinable()) {
     stop_search_->raise();
     search_.join();
@@ -85,8 +114,12 @@ void SceneThreads::stop_all_of_this_process() {
 
 ServoState SceneThreads::state() {
   const std::lock_guard lock(mutex_);
-  return {servo_.running(),    servo_.options().rate_hz, servo_.grants(),
-          servo_.statistics(), scene_.counts(),          scene_.result_age()};
+  ServoState state{false, 0.0, {}, {}, scene_.counts(), scene_.result_age()};
+  state.running = servo_.running() || hosted_.running();
+  state.wanted_rate_hz = was_hosted_ ? hosted_.rate_hz() : servo_.options().rate_hz;
+  state.grants = was_hosted_ ? ServoGrants{} : servo_.grants();
+  state.statistics = was_hosted_ ? hosted_.statistics() : servo_.statistics();
+  return state;
 }
 
 void SceneThreads::search() {

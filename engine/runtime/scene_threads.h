@@ -5,12 +5,14 @@
 #include <thread>
 
 #include "engine/exchange/flag.h"
+#include "engine/runtime/hosted_servo.h"
 #include "engine/runtime/live_scene.h"
 #include "engine/runtime/servo_thread.h"
 
 namespace palpate {
 
-// The two threads of a live scene. Functions are for any thread.
+// The two threads of a live scene. Where the scene's device has a loop of its own, that loop is the servo
+// thread. Functions are for any thread.
 class SceneThreads {
  public:
   explicit SceneThreads(LiveScene& scene) : scene_(scene) {}
@@ -23,6 +25,11 @@ class SceneThreads {
   Status start(const ServoOptions& options, ServoTask& task);
   Status start(const ServoOptions& options) { return start(options, scene_); }
   void stop();  // does nothing if they do not run
+
+  // As LiveScene's. A servo that runs moves to the loop of the device, or back to a thread. Errors: kLimit
+  // (no more threads, and none run), too.
+  Status set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping);
+
   ServoState state();
 
   // Stops the threads of every scene.
@@ -32,11 +39,17 @@ class SceneThreads {
 
  private:
   void search();
+  Status start_servo();
+  void stop_servo();
   void stop_threads();
 
   LiveScene& scene_;
   std::mutex mutex_;  // guards what follows
+  ServoOptions options_;
+  ServoTask* task_ = nullptr;
   ServoThread servo_;
+  HostedServo hosted_;
+  bool was_hosted_ = false;  // the last time
   std::optional<Flag> stop_search_;
   std::thread search_;
 };

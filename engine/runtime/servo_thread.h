@@ -4,11 +4,10 @@
 #include <thread>
 
 #include "engine/base/result.h"
+#include "engine/device/servo_task.h"
 #include "engine/exchange/flag.h"
-#include "engine/exchange/triple_slot.h"
+#include "engine/runtime/servo_meter.h"
 #include "engine/runtime/servo_options.h"
-#include "engine/runtime/servo_state.h"
-#include "engine/runtime/servo_task.h"
 
 namespace palpate {
 
@@ -32,17 +31,12 @@ class ServoThread {
   const ServoOptions& options() const { return options_; }
 
  private:
-  struct Report {
-    ServoStatistics statistics;
-    ServoGrants grants;
-  };
-
   void run(ServoTask& task);
-  const Report& newest();
+  const ServoMeter::Report& newest();
 
   ServoOptions options_;
   std::optional<Flag> stop_;
-  std::optional<TripleSlot<Report>> reports_;
+  std::optional<ServoMeter> meter_;
   std::thread thread_;
 };
 

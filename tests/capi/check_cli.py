@@ -3,6 +3,7 @@
 import base64
 import csv
 import json
+import os
 import struct
 import subprocess
 import sys
@@ -125,6 +126,9 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(devices["sim:touch"]["max_torque"], 0)
         self.assertGreater(devices["sim:premium6dof"]["max_torque"], 0)
         self.assertIn("sim:premium6dof", self.output("devices"))
+        os.environ["PALPATE_OPENHAPTICS_LIBRARY"] = "/nonexistent/libHD.so"
+        self.addCleanup(os.environ.pop, "PALPATE_OPENHAPTICS_LIBRARY")
+        self.assertIn("libHD.so not found: install OpenHaptics 3.4", self.output("devices"))
 
     def test_run_by_the_smooth_law(self):
         rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},1.1,0,0,0,0,{0.0004 * (i - 50)},1" for i in range(100)]

@@ -1,5 +1,6 @@
 """Devices: listed, opened, armed, and felt through a scene."""
 
+import os
 import unittest
 
 import palpate
@@ -17,6 +18,21 @@ class DeviceTest(unittest.TestCase):
             self.assertEqual(device.info.actuated, 0b000111)
         with self.assertRaises(palpate.InvalidHandle):
             device.arm()
+
+    def test_what_is_missing_is_listed(self):
+        os.environ["PALPATE_OPENHAPTICS_LIBRARY"] = "/nonexistent/libHD.so"
+        try:
+            listed = {info.uri: info for info in palpate.devices()}["openhaptics:Default Device"]
+        finally:
+            del os.environ["PALPATE_OPENHAPTICS_LIBRARY"]
+        self.assertEqual(listed.condition, palpate.Condition.NO_LIBRARY)
+        self.assertIn("install OpenHaptics", listed.status)
+        with palpate.Device() as device:
+            self.assertEqual(device.info.condition, palpate.Condition.READY)
+            self.assertEqual(device.state.condition, palpate.Condition.READY)
+            self.assertEqual(device.state.temperature, 0.0)
+            with self.assertRaises(palpate.Unsupported):
+                device.calibrate()
 
     def test_a_device_that_is_none(self):
         with self.assertRaisesRegex(palpate.DeviceError, "sim:"):

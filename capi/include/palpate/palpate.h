@@ -603,7 +603,9 @@ PLP_API void plp_servo_options_init(plp_servo_options* options, size_t size);
  * never waits and never allocates: a body that comes near is first made ready beside it (PLP_STATUS_WAITING),
  * and no more than 1,024 points of LMDs and 1,024 overlaps are listed, while the wrench is of all
  * (PLP_STATUS_CUT). What is near already is ready when this returns. In PLP_MODE_DESCENT searches from
- * scratch go on continuously; plp_scene_options::global_every is not used.
+ * scratch go on continuously; plp_scene_options::global_every is not used. With a device that has a loop of
+ * its own (`openhaptics:`) that loop is the servo: the options are not used, and a step sees the sample and
+ * gives the wrench of one tick of it. The servo moves when such a device comes or goes, and counts anew.
  * @param options null for the defaults.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it runs already), _LIMIT (the system
  * allows no more threads) or _OUT_OF_MEMORY.
@@ -729,15 +731,24 @@ PLP_API plp_result plp_device_list(plp_device_info* infos, size_t capacity, size
  * 1.5/6DOF and a Touch, which has no torque, in a simulated hand (plp_device_set_hand). Each opening makes
  * another one; `?delay=N` behind makes its sensors N samples late, 0 to 8.
  *
+ * `openhaptics:NAME` is a PHANToM Premium, Touch or Touch X through the maker's library, libHD of OpenHaptics
+ * 3.4, under the name that it was given when it was set up; without a name, the library's default. The
+ * library is opened now: the one at PATH with `?library=PATH` behind, else the one that the environment
+ * variable PALPATE_OPENHAPTICS_LIBRARY names, else an installed one. Its scheduler ticks the device and is
+ * the servo of a running scene that has it; a wrench that plp_scene_step computes, which has to follow the
+ * scheduler's rate, is felt a tick later. While another such device is opened or closed, and for a moment
+ * every two seconds while one is lost, it rests: the force of the others ends and fades in anew. Limits are
+ * the device's own or those known of its model, whichever are tighter. Beside its buttons, the last one of a
+ * device with an inkwell is held while the stylus is out of it.
+ *
  * `hid:VENDOR:PRODUCT`, in four hexadecimal digits each, and `hid:VENDOR:PRODUCT:SERIAL` are devices on USB and
  * Bluetooth, each of which can be open once: SpaceMice, which move the tool at the rate at which they are pushed
  * and have no force (0.15 m/s and 1.5 rad/s at full deflection, nothing within 6 % of it, up to 0.3 m from where
  * it began), and haptic devices that speak the open protocol of engine/device/hid/PROTOCOL.md. One that is
  * pulled out is PLP_CONDITION_LOST, and is taken up again when it is plugged in.
- *
  * @param uri null or "" for `sim:premium6dof`. @param device receives the handle; release it.
  * @return PLP_ERROR_DEVICE if there is no such device or it cannot be opened: the sentence names those that
- * there are; _INVALID_ARGUMENT, _LIMIT or _OUT_OF_MEMORY.
+ * there are, or says what is missing; _INVALID_ARGUMENT, _LIMIT or _OUT_OF_MEMORY.
  * @threadsafety any @since 0.1
  */
 PLP_API plp_result plp_device_open(const char* uri, plp_device* device);
@@ -940,7 +951,8 @@ PLP_API void plp_device_mapping_init(plp_device_mapping* mapping, size_t size);
  * is, and another scene may have the device when this returns. A scene that runs is waited for, a tick as a
  * rule, at most 0.1 s. The scene keeps the device.
  * @param mapping null for the defaults.
- * @return PLP_ERROR_WRONG_STATE if another scene has the device; _INVALID_HANDLE or _INVALID_ARGUMENT.
+ * @return PLP_ERROR_WRONG_STATE if another scene has the device; _LIMIT (a servo that had to move finds no
+ * thread, and has stopped); _INVALID_HANDLE or _INVALID_ARGUMENT.
  * @threadsafety any @since 0.1
  */
 PLP_API plp_result plp_scene_set_device(plp_scene scene, plp_device device,

@@ -20,6 +20,10 @@ namespace Palpate.Tests
                 Assert.AreEqual("sim:touch", touch.Info.Uri);
                 Assert.AreEqual(7U, touch.Info.Actuated, "a Touch has no torque");
                 Assert.AreEqual(0.0, touch.Info.MaxTorque);
+                Assert.AreEqual(Condition.Ready, touch.Info.Condition);
+                Assert.AreEqual("ready", touch.Info.Status);
+                Assert.AreEqual(Condition.Ready, touch.State.Condition);
+                Assert.Throws<PalpateUnsupportedException>(() => touch.Calibrate());
                 Assert.IsTrue(touch.Info.MaxForce > 1 && touch.Info.Name.Length > 0);
                 Assert.IsTrue(touch.Info.WorkspaceMin.X < touch.Info.WorkspaceMax.X);
             }
