@@ -202,6 +202,20 @@ TEST_F(SafetyLimitsTest, TurnAServoThatHangsIntoAFault) {
   expect_soft_return();
 }
 
+TEST_F(SafetyLimitsTest, TurnWhatTheDeviceReportsIntoAFault) {
+  for (const DeviceCondition condition :
+       {DeviceCondition::kWarmMotors, DeviceCondition::kExceededForce, DeviceCondition::kExceededVelocity,
+        DeviceCondition::kLost, DeviceCondition::kFailed}) {
+    limits_ = SafetyLimits(limits_.settings());
+    limits_.arm();
+    arm_fully();
+    state_.condition = condition;
+    expect_fault(tick(), Limiter::kDevice);
+    state_.condition = DeviceCondition::kReady;
+    expect_soft_return();
+  }
+}
+
 TEST_F(SafetyLimitsTest, TurnAJumpInPoseIntoAFault) {
   arm_fully();
   state_.tool.position.x += 0.05;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/base/log.h"
+#include "engine/base/own_thread.h"
 #include "engine/device/openhaptics/hd_device.h"
 #include "engine/device/openhaptics/hd_error.h"
 
@@ -176,6 +177,7 @@ void HdScheduler::forget_errors(hd::Handle device) {
 }
 
 void HdScheduler::keep() {
+  begin_own_thread("palpate-keeper");
   std::unique_lock lock(mutex_);
   while (!stops_keeping_) {
     for (HdDevice* device : devices_) {
