@@ -125,8 +125,8 @@ TEST_F(HidFaults, ADeviceThatBeginsAnewIsFollowed) {
 TEST_F(HidFaults, PulledOutItLetsGoAndPluggedInAgainItIsTakenUp) {
   open_and_arm();
   expect_pushing();
-  const std::size_t step = mock_->steps();
   bus_.unplug(number_);
+  const std::size_t step = mock_->steps();
   ASSERT_TRUE(wait_for(DeviceCondition::kLost));
   expect_let_go_since(step);
   EXPECT_EQ(guarded_->status().state.condition, DeviceCondition::kLost);
