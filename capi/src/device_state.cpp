@@ -57,6 +57,7 @@ plp_device_state state_of(const DeviceStatus& status) {
   out.calibrated = status.state.calibrated;
   out.condition = static_cast<std::int32_t>(status.state.condition);
   out.temperature = status.state.temperature;
+  out.lost = status.state.lost;
   out.commanded = wrench_of(status.wanted);
   out.applied = wrench_of(status.applied);
   out.unactuated = status.unactuated;

@@ -10,8 +10,8 @@
 
 namespace palpate {
 
-// An open haptic device. Whoever owns the servo loop calls, once a tick and from one thread: read, write,
-// step. These three allocate nothing, lock nothing and do not throw.
+// An open haptic device. Whoever owns the servo loop calls, once a tick and from one thread: read, engage,
+// write, step. These allocate nothing, lock nothing and do not throw.
 class Device {
  public:
   virtual ~Device() = default;
@@ -26,6 +26,10 @@ class Device {
   // What the actuators hold until the next call, or until the device's own watchdog sets them to zero. Safety
   // limits come before: a device saturates, but does not judge.
   virtual void write(const DeviceWrench& wrench) = 0;
+
+  // Before a write: whether force may follow. A device with amplifiers of its own turns them on and off by
+  // it.
+  virtual void engage(bool /*engaged*/) {}
 
   // The newest sample for any thread, beside whoever ticks; none where samples come with ticks alone.
   virtual std::optional<DeviceState> glance() { return std::nullopt; }

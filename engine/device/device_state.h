@@ -16,6 +16,8 @@ struct DeviceState {
   bool calibrated = false;     // a pose that is not calibrated must not be turned into force
   DeviceCondition condition = DeviceCondition::kReady;
   double temperature = 0.0;  // of the hottest motor, from 0, cold, to 1, too hot; 0 where none is measured
+  bool held = true;          // false: it has a dead-man switch of its own, and that is let go
+  std::uint64_t lost = 0;    // samples that were taken but never arrived, since it was opened
 };
 
 }  // namespace palpate

@@ -76,6 +76,7 @@ GuardedDevice::GuardedDevice(std::unique_ptr<Device> device)
 }
 
 GuardedDevice::~GuardedDevice() {
+  device_->engage(false);
   device_->write({});
   delete_all(orders_.take());
   delete_all(taken_.take());
@@ -132,6 +133,7 @@ void GuardedDevice::write(const DeviceWrench& wanted, bool computed, double dt) 
   now_.wanted = wanted;
   now_.unactuated = possible.force != wanted.force || possible.torque != wanted.torque;
   now_.applied = limits_.apply({possible, computed_}, now_.state, dt);
+  device_->engage(limits_.is_engaged());
   device_->write(now_.applied);
   device_->step(dt);
   ++now_.ticks;
@@ -142,6 +144,7 @@ void GuardedDevice::let_go() {
   limits_.restart();
   now_.wanted = now_.applied = {};
   now_.unactuated = false;
+  device_->engage(false);
   device_->write({});
   publish();
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/device/hid/hid_backend.h"
 #include "engine/device/openhaptics/openhaptics_backend.h"
 #include "engine/device/simulated/simulated_backend.h"
 
@@ -18,6 +19,7 @@ std::unique_ptr<DeviceBackend> make() {
 constexpr std::unique_ptr<DeviceBackend> (*kStandard[])() = {
     make<SimulatedBackend>,
     make<OpenHapticsBackend>,
+    make<HidBackend>,
 };
 
 }  // namespace

@@ -111,12 +111,9 @@ void SafetyLimits::enter(SafetyState state) {
   last_ = {};
 }
 
-bool SafetyLimits::is_engaged() const {
-  return report_.state == SafetyState::kRamping || report_.state == SafetyState::kArmed;
-}
-
 bool SafetyLimits::may_engage(const DeviceState& state) const {
-  return wanted_ && state.calibrated && (state.buttons & settings_.dead_man) == settings_.dead_man;
+  const bool held = state.held && (state.buttons & settings_.dead_man) == settings_.dead_man;
+  return wanted_ && state.calibrated && held;
 }
 
 DVec3 SafetyLimits::shaped(const DVec3& wanted, const DVec3& last, double limit, double slew, Limiter clamp,

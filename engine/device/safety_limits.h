@@ -39,13 +39,17 @@ class SafetyLimits {
 
   const SafetyReport& report() const { return report_; }
 
+  // Whether force may be given.
+  bool is_engaged() const {
+    return report_.state == SafetyState::kRamping || report_.state == SafetyState::kArmed;
+  }
+
  private:
   bool find_faults(const Command& command, const DeviceState& state, double dt);
   bool jumped(const DeviceState& state) const;
   void advance_state(const DeviceState& state, bool faulty, double dt);
   void advance_ramp(double dt);
   void enter(SafetyState state);
-  bool is_engaged() const;
   bool may_engage(const DeviceState& state) const;
   DVec3 shaped(const DVec3& wanted, const DVec3& last, double limit, double slew, Limiter clamp,
                Limiter slewed, double dt);

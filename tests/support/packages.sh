@@ -4,10 +4,10 @@
 palpate_build_packages=(
   g++ cmake ninja-build
   libtinygltf-dev libglm-dev libembree-dev libhwy-dev libdraco-dev libmeshoptimizer-dev
-  libcli11-dev nlohmann-json3-dev
+  libcli11-dev nlohmann-json3-dev pkg-config libhidapi-dev
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 binutils make patchelf pkg-config
+  libgtest-dev clang-format-14 binutils make patchelf libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
 )

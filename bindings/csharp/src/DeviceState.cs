@@ -105,6 +105,9 @@ namespace Palpate
         /// <summary>Of the hottest motor: 0 cold, 1 too hot; 0 where none is measured.</summary>
         public double Temperature => state.temperature;
 
+        /// <summary>Samples that were taken but never arrived, since it was opened.</summary>
+        public ulong Lost => state.lost;
+
         /// <summary>Ticks in which a limiter has acted.</summary>
         public ulong TicksOf(Limiters limiter)
         {

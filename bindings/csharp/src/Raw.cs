@@ -405,6 +405,7 @@ namespace Palpate
             public int condition;
             public uint reserved;
             public double temperature;
+            public ulong lost;
         }
 
         [StructLayout(LayoutKind.Sequential)]

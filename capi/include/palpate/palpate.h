@@ -750,6 +750,12 @@ PLP_API plp_result plp_device_list(plp_device_info* infos, size_t capacity, size
  * every two seconds while one is lost, it rests: the force of the others ends and fades in anew. Limits are
  * the device's own or those known of its model, whichever are tighter. Beside its buttons, the last one of a
  * device with an inkwell is held while the stylus is out of it.
+ *
+ * `hid:VENDOR:PRODUCT`, in four hexadecimal digits each, and `hid:VENDOR:PRODUCT:SERIAL` are devices on USB
+ * and Bluetooth, each of which can be open once: SpaceMice, which move the tool at the rate at which they are
+ * pushed and have no force (0.15 m/s and 1.5 rad/s at full deflection, nothing within 6 % of it, up to 0.3 m
+ * from where it began), and haptic devices that speak the open protocol of engine/device/hid/PROTOCOL.md. One
+ * that is pulled out is PLP_CONDITION_LOST, and is taken up again when it is plugged in.
  * @param uri null or "" for `sim:premium6dof`. @param device receives the handle; release it.
  * @return PLP_ERROR_DEVICE if there is no such device or it cannot be opened: the sentence names those that
  * there are, or says what is missing; _INVALID_ARGUMENT, _LIMIT or _OUT_OF_MEMORY.
@@ -815,6 +821,7 @@ typedef struct plp_device_state {
   int32_t condition;          /**< plp_condition */
   uint32_t reserved;          /**< 0 */
   double temperature;         /**< of the hottest motor: 0 cold, 1 too hot; 0 where none is measured */
+  uint64_t lost;              /**< samples that were taken but never arrived, since it was opened */
 } plp_device_state;
 
 /** @brief Fills `state` with zeros and its size. @threadsafety any @since 0.1 */

@@ -384,6 +384,7 @@ class plp_device_state(Structure):
         ("condition", c_int32),
         ("reserved", c_uint32),
         ("temperature", c_double),
+        ("lost", c_uint64),
     ]
 
 

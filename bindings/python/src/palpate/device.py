@@ -99,6 +99,7 @@ class DeviceState(NamedTuple):
     limiter_ticks: dict[Limiter, int]
     condition: Condition
     temperature: float
+    lost: int  # samples that were taken but never arrived
 
 
 class Grip(IntEnum):
@@ -169,7 +170,7 @@ class Device(Closing):
                            bool(struct.unactuated), struct.ticks,
                            frozenset(limiter for limiter in Limiter if struct.limiters >> limiter & 1),
                            {limiter: struct.limiter_ticks[limiter] for limiter in Limiter},
-                           Condition(struct.condition), struct.temperature)
+                           Condition(struct.condition), struct.temperature, struct.lost)
 
     def arm(self) -> None:
         """Lets force fade in from the next tick on."""
