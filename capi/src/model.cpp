@@ -77,6 +77,7 @@ plp_model new_model(const TriangleSoup& soup, std::vector<std::string> notes,
   auto object = std::make_unique<ModelObject>();
   object->model = std::make_shared<const Model>(std::move(mesh));
   object->load_us = watch.elapsed_us();
+  object->name = path_of(name.c_str()).filename().string();
   const std::shared_ptr<const Model> model = object->model;
   const double load_us = object->load_us;
   const auto handle = new_handle<plp_model>(model_table(), std::move(object));

@@ -10,7 +10,8 @@ Units are metres, seconds, newtons and newton-metres; frames are right-handed; q
 """
 
 from . import _raw
-from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
+from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError,
+                      FileWriteError, InternalError, InvalidArgument, InvalidHandle,
                       LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported,
                       WrongState)
 from ._records import Records
@@ -32,7 +33,7 @@ def version() -> str:
 
 __all__ = [
     "BadFormat", "Body", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature", "FileNotFound",
-    "FileReadError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle", "Latency",
+    "FileReadError", "FileWriteError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle", "Latency",
     "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
     "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene", "ServoState",
     "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query",
