@@ -29,7 +29,7 @@ plp_space space_of(const TraceSpace& traced) {
   return space;
 }
 
-// The length that length_in() makes `metres` of: that which was given, which a division may miss.
+// A length that length_in() makes `metres` of, bit by bit, which a division alone may miss.
 double given_length(const Space& space, double metres) {
   constexpr double kUp = std::numeric_limits<double>::infinity();
   const double near = space.length_out(metres);

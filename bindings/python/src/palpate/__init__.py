@@ -21,9 +21,11 @@ from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
 from .query import QueryResult, query
+from .recording import Recording
 from .scene import Body, Scene
 from .servo import Latency, ServoState, shutdown_all
 from .space import Space
+from .trace import Trace, TraceBody, TraceTick
 
 
 def version() -> str:
@@ -35,7 +37,7 @@ __all__ = [
     "BadFormat", "Body", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature", "FileNotFound",
     "FileReadError", "FileWriteError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle", "Latency",
     "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
-    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene", "ServoState",
-    "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query",
+    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Recording", "Records", "Safety", "Scene", "ServoState",
+    "Space", "Status", "SurfaceCounts", "Trace", "TraceBody", "TraceTick", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query",
     "set_log_callback", "shutdown_all", "version",
 ]
