@@ -11,6 +11,7 @@
 #include "capi/src/space.h"
 #include "engine/device/guarded_device.h"
 #include "engine/exchange/handle_table.h"
+#include "engine/gltf/load_tally.h"
 #include "engine/runtime/scene_threads.h"
 #include "engine/runtime/worker_pool.h"
 #include "engine/scene/query.h"
@@ -20,6 +21,7 @@ namespace palpate::capi {
 
 struct ModelObject {
   std::shared_ptr<const Model> model;
+  LoadTally tally;  // zeros unless it came from glTF
   double load_us;
   std::string name;  // of its file, without folders
 };
