@@ -38,6 +38,8 @@ plp_result result_of(ErrorCode code) noexcept {
       return PLP_ERROR_WRONG_STATE;
     case ErrorCode::kDevice:
       return PLP_ERROR_DEVICE;
+    case ErrorCode::kFileWrite:
+      return PLP_ERROR_FILE_WRITE;
     case ErrorCode::kInternal:
       break;
   }
@@ -91,6 +93,8 @@ const char* plp_result_string(plp_result result) {
       return "PLP_ERROR_WRONG_STATE";
     case PLP_ERROR_DEVICE:
       return "PLP_ERROR_DEVICE";
+    case PLP_ERROR_FILE_WRITE:
+      return "PLP_ERROR_FILE_WRITE";
     case PLP_ERROR_INTERNAL:
       return "PLP_ERROR_INTERNAL";
   }

@@ -8,6 +8,7 @@ constexpr std::uint8_t kModelKind = 1;
 constexpr std::uint8_t kQueryKind = 2;
 constexpr std::uint8_t kSceneKind = 3;
 constexpr std::uint8_t kDeviceKind = 5;
+constexpr std::uint8_t kTraceKind = 7;
 
 }  // namespace
 
@@ -28,6 +29,11 @@ HandleTable<SceneObject>& scene_table() {
 
 HandleTable<DeviceObject>& device_table() {
   static auto* const table = new HandleTable<DeviceObject>(kDeviceKind);
+  return *table;
+}
+
+HandleTable<TraceObject>& trace_table() {
+  static auto* const table = new HandleTable<TraceObject>(kTraceKind);
   return *table;
 }
 

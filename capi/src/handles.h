@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "capi/src/contact_arrays.h"
 #include "capi/src/errors.h"
@@ -14,6 +15,7 @@
 #include "engine/runtime/scene_threads.h"
 #include "engine/runtime/worker_pool.h"
 #include "engine/scene/query.h"
+#include "engine/trace/trace_reader.h"
 
 namespace palpate::capi {
 
@@ -21,6 +23,7 @@ struct ModelObject {
   std::shared_ptr<const Model> model;
   LoadTally tally;  // zeros unless it came from glTF
   double load_us;
+  std::string name;  // of its file, without folders
 };
 
 struct QueryObject {
@@ -43,11 +46,27 @@ struct DeviceObject {
   std::shared_ptr<GuardedDevice> device;  // shared with the scene whose tool it moves
 };
 
+struct TraceObject {
+  TraceObject(std::unique_ptr<const TraceReader> its_reader, const plp_space& its_space)
+      : reader(std::move(its_reader)), space(its_space, "the trace's space") {}
+
+  std::unique_ptr<const TraceReader> reader;
+  Space space;
+
+  // Of the step that was read last.
+  bool has_step = false;
+  TraceStep step;
+  std::vector<plp_trace_move> moves;
+  Contacts contacts;
+  ContactArrays arrays;
+};
+
 // The tables live until the process ends: a thread that still calls at exit must not meet a destroyed one.
 HandleTable<ModelObject>& model_table();
 HandleTable<QueryObject>& query_table();
 HandleTable<SceneObject>& scene_table();
 HandleTable<DeviceObject>& device_table();
+HandleTable<TraceObject>& trace_table();
 
 // A C handle is a pointer type that holds the 64 bits of a table's handle.
 template <class T>

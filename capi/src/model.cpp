@@ -91,6 +91,7 @@ plp_model new_model(TriangleSoup soup, LoadReport report, const plp_model_option
   object->model = std::make_shared<const Model>(std::move(mesh));
   object->tally = report.tally;
   object->load_us = watch.elapsed_us();
+  object->name = path_of(name.c_str()).filename().string();
   const std::shared_ptr<const Model> model = object->model;
   const double load_us = object->load_us;
   const auto handle = new_handle<plp_model>(model_table(), std::move(object));

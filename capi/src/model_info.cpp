@@ -1,5 +1,6 @@
 #include "capi/src/handles.h"
 #include "capi/src/structs.h"
+#include "engine/mesh/geometry_hash.h"
 
 namespace palpate::capi {
 namespace {
@@ -96,5 +97,14 @@ plp_result plp_model_prepare(plp_model model) {
     require_handle(object, "model");
     object->model->tree();
     object->model->near_tree();
+  });
+}
+
+plp_result plp_model_get_hash(plp_model model, uint64_t* hash) {
+  return guarded([&] {
+    const auto object = model_table().pin(bits_of(model));
+    require_handle(object, "model");
+    require(hash, "hash is null");
+    *hash = geometry_hash(object->model->mesh());
   });
 }

@@ -145,6 +145,7 @@ plp_result plp_scene_add_body(plp_scene scene, const plp_body_options* options, 
     const auto model = model_table().pin(bits_of(given.model));
     require_handle(model, "options->model");
     placed.model = model->model;
+    placed.model_name = model->name;
     *body = value_or_refuse(object->scene.add(std::move(placed)));
   });
 }

@@ -50,6 +50,13 @@ Space::Space(const plp_space& space, const char* name) : metres_per_unit_(space.
   determinant_ = glm::determinant(matrix);
 }
 
+plp_space Space::given() const {
+  plp_space space{};
+  for (int i = 0; i < 3; ++i) space.axes[i] = (sign_[i] < 0.0 ? -1 : 1) * (axis_[i] + 1);
+  space.metres_per_unit = metres_per_unit_;
+  return space;
+}
+
 Pose Space::pose_in(const plp_pose& pose, const char* name) const {
   const DVec3 translation = point_in(vector_of(pose.position));
   if (!in_range(translation)) refuse_argument(name, ".position is not three numbers of at most 1e15 m");

@@ -14,6 +14,8 @@ class Space {
   // Refuses axes that are not ±1, ±2, ±3, each once, and units of length outside [1e-9, 1e9] m.
   Space(const plp_space& space, const char* name);
 
+  plp_space given() const;  // what it was made of
+
   bool mirrored() const { return determinant_ < 0.0; }
 
   double length_in(double length) const { return length * metres_per_unit_; }

@@ -42,6 +42,14 @@ template <>
 inline constexpr std::uint32_t kFirstSize<plp_hand_options> = 200;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_device_mapping> = 144;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_recording> = 32;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_trace_info> = 48;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_trace_body> = 104;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_trace_tick> = 296;
 
 // No version will need more; a larger size is taken for garbage and not read.
 inline constexpr std::uint32_t kLargestSize = 4096;

@@ -21,6 +21,7 @@ enum class ErrorCode {
   kUnsafePath,
   kWrongState,
   kDevice,
+  kFileWrite,
   kInternal,
 };
 

@@ -20,6 +20,12 @@ class Ring {
 
   std::size_t capacity() const { return items_.size(); }
 
+  // The producer's: how many items it may push at least.
+  std::size_t room() const {
+    // As in push(): relaxed for the own side, acquire for the places that were emptied.
+    return items_.size() - (tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire));
+  }
+
   // The producer's. False, and `item` stays as it is, if the ring is full.
   bool push(T&& item) {
     // Relaxed: only this side writes it.

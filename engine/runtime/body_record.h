@@ -42,6 +42,7 @@ struct BodyRecord {
   std::shared_ptr<const Model> model;
   Pose pose;             // as it was set last
   bool in_hand = false;  // a device has moved it since
+  BodyOptions as_added;  // for whoever records
   struct Sight {
     DVec3 at;            // from the tool
     std::uint64_t step;  // of the tool's pose

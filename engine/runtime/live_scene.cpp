@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/runtime/scene_commands.h"
+#include "engine/runtime/trace_records.h"
 
 namespace palpate {
 namespace {
@@ -39,6 +40,8 @@ LiveScene::LiveScene(const SceneOptions& options) : options_(options), scene_(op
 
 LiveScene::~LiveScene() {
   go_still();
+  Recording outcome;
+  static_cast<void>(stop_recording(outcome));
 }
 
 Result<BodyId> LiveScene::add(BodyOptions options) {
@@ -63,6 +66,8 @@ void LiveScene::place(BodyId id, BodyOptions options) {
   record->kind = options.kind;
   record->model = options.model;
   record->pose = options.pose;
+  record->as_added = options;
+  if (recording_) recording_->add(trace_of(id, options));
   auto body = std::make_unique<Body>(std::move(options));
   body->id = id;
   carry_out(std::make_unique<AddBody>(std::move(body), slots_for(id)));
@@ -134,16 +139,19 @@ void LiveScene::set_stiffness(double stiffness) {
 void LiveScene::set_damping(double damping) {
   const std::lock_guard lock(mutex_);
   change([damping](Scene& scene) { scene.set_damping(damping); });
+  options_.damping = damping;
 }
 
 void LiveScene::set_stiffness_cap(double cap) {
   const std::lock_guard lock(mutex_);
   change([cap](Scene& scene) { scene.set_stiffness_cap(cap); });
+  options_.stiffness_cap = cap;
 }
 
 void LiveScene::set_friction(double friction) {
   const std::lock_guard lock(mutex_);
   change([friction](Scene& scene) { scene.set_friction(friction); });
+  options_.friction = friction;
 }
 
 void LiveScene::set_law(ForceLaw law) {
@@ -186,7 +194,53 @@ Status LiveScene::step() {
   const std::lock_guard lock(mutex_);
   if (live_) return Error{ErrorCode::kWrongState, "the scene's servo runs"};
   loop_.tick(options_.time_step);
+  if (recorder_) recorder_->record_whole(scene_, options_.time_step);
   return Done{};
+}
+
+Status LiveScene::record(const std::string& path, const TraceSpace& space) {
+  const std::lock_guard lock(mutex_);
+  if (recording_) return Error{ErrorCode::kWrongState, "the scene is recorded already"};
+  Result<std::shared_ptr<SceneRecorder>> recorder =
+      SceneRecorder::create(path, trace_of(options_, space), records_.size());
+  if (!recorder) return recorder.error();
+  for (const auto& record : records_)
+    if (record) recorder.value()->add(trace_of(record->id, record->as_added));
+  attach(recorder.value(), std::make_shared<Flag>());
+  recording_ = std::move(recorder.value());
+  return Done{};
+}
+
+Status LiveScene::stop_recording(Recording& outcome) {
+  const auto done = std::make_shared<Flag>();
+  std::shared_ptr<SceneRecorder> ended;
+  bool live = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!recording_) return Error{ErrorCode::kWrongState, "the scene is not recorded"};
+    attach(nullptr, done);
+    ended = std::move(recording_);
+    live = live_;
+  }
+  if (live) wait_for(*done);
+  const Status status = ended->finish();
+  outcome = ended->state();
+  return status;
+}
+
+// The servo takes it up, or lets it go, between two ticks.
+void LiveScene::attach(std::shared_ptr<SceneRecorder> recorder, std::shared_ptr<Flag> done) {
+  change([this, recorder, done](Scene& scene) mutable {
+    if (recorder_) recorder_->leave(scene);
+    if (recorder) recorder->meet(scene);
+    recorder_.swap(recorder);
+    done->raise();
+  });
+}
+
+Recording LiveScene::recording() {
+  const std::lock_guard lock(mutex_);
+  return recording_ ? recording_->state() : Recording{};
 }
 
 Status LiveScene::go_live() {
@@ -225,6 +279,7 @@ void LiveScene::go_still() {
 void LiveScene::tick(double dt) noexcept {
   execute_commands(kMostCommandsATick);
   loop_.tick(dt);
+  if (recorder_) recorder_->record(scene_, dt);
   publish(dt);
 }
 

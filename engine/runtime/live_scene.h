@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -14,6 +15,7 @@
 #include "engine/runtime/command.h"
 #include "engine/runtime/global_search.h"
 #include "engine/runtime/haptic_loop.h"
+#include "engine/runtime/scene_recorder.h"
 #include "engine/runtime/servo_state.h"
 #include "engine/runtime/survey.h"
 
@@ -51,6 +53,14 @@ class LiveScene : public ServoTask {
 
   // Errors: kWrongState (it is live). If it throws, the outcome is what it was.
   Status step();
+
+  // From now on every tick goes into a trace in `path`, which says that the caller's space is `space`.
+  // Errors: kWrongState (it is recorded already), kLimit (no more threads), kFileNotFound, kFileWrite.
+  Status record(const std::string& path, const TraceSpace& space);
+  // Ends the trace and fills `outcome`, with an error, too. Errors: kWrongState (it is not recorded),
+  // kFileWrite, kOutOfMemory: the first that there was since the beginning.
+  Status stop_recording(Recording& outcome);
+  Recording recording();  // so far
 
   // Calls visit(contacts) with the newest outcome, if it is newer than that of the last call.
   template <class Visit>
@@ -106,6 +116,7 @@ class LiveScene : public ServoTask {
   void publish(double dt);
   void publish_tool(double dt);
   void destroy_returned();
+  void attach(std::shared_ptr<SceneRecorder> recorder, std::shared_ptr<Flag> done);
   void take_survey();
   bool soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const;
 
@@ -118,11 +129,13 @@ class LiveScene : public ServoTask {
   std::shared_ptr<GuardedDevice> device_;
   std::size_t slot_room_ = 0;  // of the scene's table while live
   std::uint64_t visited_step_ = 0;
+  std::shared_ptr<SceneRecorder> recording_;  // null: none
 
   // The servo's while live, otherwise guarded, too.
   Scene scene_;
   HapticLoop loop_{scene_};
   Letter* pending_ = nullptr;
+  std::shared_ptr<SceneRecorder> recorder_;  // recording_, as soon as it is known here
 
   Mailbox inbox_;              // commands to the servo
   Mailbox returned_;           // commands that are done

@@ -10,6 +10,7 @@ Body::Body(BodyOptions options) : options_(std::move(options)) {
 
 void Body::set_pose(const Pose& pose) {
   options_.pose = pose;
+  moved = true;
   sphere_ = pose * Sphere{options_.model->centre(), options_.model->radius()};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/scene/body_ids.h"
@@ -22,6 +23,7 @@ struct BodyOptions {
   double damping = 0.0;        // N·s/m against the tool while closing; 0: the scene's
   double friction = 0.0;       // Coulomb's coefficient against the tool; 0: the scene's, negative: none
   DVec3 reference_point{0.0};  // of the tool, model frame: torques are about it
+  std::string model_name;      // for people
 };
 
 // A model that is placed in a scene.
@@ -40,6 +42,7 @@ class Body {
 
   BodyId id = 0;
   bool is_near = false;  // was within reach of the tool in the last step
+  bool moved = true;     // was placed anew since whoever records looked last
   PairSearch against_tool;
   PairSprings springs;  // against the tool
 

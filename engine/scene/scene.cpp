@@ -30,7 +30,12 @@ void Scene::place(std::unique_ptr<Body> body) {
 std::unique_ptr<Body> Scene::take(BodyId id) {
   std::unique_ptr<Body> body = bodies_.take(id);
   if (body && id == tool_) lose_tool();
+  if (body) note_removal(id);
   return body;
+}
+
+void Scene::note_removal(BodyId id) {
+  if (removed_ && (!fixed_ || removed_->size() < removed_->capacity())) removed_->push_back(id);
 }
 
 Body* Scene::body_against(BodyId tool, BodyId id) {

@@ -73,6 +73,16 @@ class Scene {
   void step(double dt);  // seconds since the last step
   const Contacts& contacts() const { return contacts_; }
 
+  // For whoever records.
+  const SceneOptions& options() const { return options_; }
+  template <class Visit>
+  void for_each_body(Visit&& visit) {
+    bodies_.for_each([&](BodyId, Body& body) { visit(body); });
+  }
+  // From now on the ids of bodies that take() takes are put behind `removed`, while memory is fixed as long
+  // as that has room; null: no more.
+  void note_removals(std::vector<BodyId>* removed) { removed_ = removed; }
+
  private:
   // A body within reach of the tool.
   struct NearBody {
@@ -84,6 +94,7 @@ class Scene {
   class Searches;
 
   void lose_tool();
+  void note_removal(BodyId id);
   void find_near_bodies(const Body& tool);
   void look_at(BodyId id, Body& body, const Body& tool);
   void share_budget();
@@ -100,6 +111,7 @@ class Scene {
   double time_step_ = 0.0;
   BodyTable bodies_;
   BodyId tool_ = 0;
+  std::vector<BodyId>* removed_ = nullptr;
   Executor* executor_ = nullptr;
   std::vector<LmdSearch> searches_ = std::vector<LmdSearch>(1);  // by worker
   std::vector<NearBody> near_;                                   // in the order of slots

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace palpate::cli {
@@ -22,23 +23,25 @@ struct QueryArguments {
   bool json = false;
 };
 
+// What is not given is as in the trace that is followed, or else as usual.
 struct RunArguments {
   std::string a;
   std::string b;
   double scale_a = 1.0;  // of the models, before anything else
   double scale_b = 1.0;
   std::string trajectory;
-  double cutoff = 0.0;         // metres
-  double stiffness = 1000.0;   // N/m
-  double damping = 0.0;        // N·s/m
-  double friction = 0.0;       // Coulomb's coefficient
-  double stiffness_cap = 0.0;  // N/m; 0: none
-  std::string mode = "certified";
-  std::string law = "smooth";
-  unsigned global_every = 10;  // ticks, while descending
-  bool compare = false;        // with the complete set of every tick
-  bool threaded = false;       // a servo runs at the trajectory's own rate
-  std::string out;             // empty: no file
+  std::optional<double> cutoff;         // metres
+  std::optional<double> stiffness;      // N/m
+  std::optional<double> damping;        // N·s/m
+  std::optional<double> friction;       // Coulomb's coefficient
+  std::optional<double> stiffness_cap;  // N/m; 0: none
+  std::optional<std::string> mode;
+  std::optional<std::string> law;
+  std::optional<unsigned> global_every;  // ticks, while descending
+  bool compare = false;                  // with the complete set of every tick
+  bool threaded = false;                 // a servo runs at the trajectory's own rate
+  std::string out;                       // empty: no file
+  std::string record;                    // a trace of the run; empty: none
   bool json = false;
 };
 

@@ -26,6 +26,7 @@ class Owned {
 
 using OwnedModel = Owned<plp_model, plp_model_release>;
 using OwnedScene = Owned<plp_scene, plp_scene_release>;
+using OwnedTrace = Owned<plp_trace, plp_trace_release>;
 using OwnedQueryResult = Owned<plp_query_result, plp_query_result_release>;
 
 // Loads a glTF file, multiplies its positions by `scale`, and builds its hierarchy, so that no search that is

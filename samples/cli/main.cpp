@@ -48,43 +48,44 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command->add_option("b", arguments.b, "The model that moves")->required();
   add_scale(*command, "--scale-a", arguments.scale_a);
   add_scale(*command, "--scale-b", arguments.scale_b);
-  command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw")->required();
+  command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw; or a trace")
+      ->required();
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
-      ->required()
       ->check(CLI::PositiveNumber);
   command->add_option("--stiffness", arguments.stiffness, "N/m of the springs")
-      ->capture_default_str()
+      ->default_str("1000")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--mode", arguments.mode,
                    "global: the complete set from scratch every tick; certified: the complete set kept up to "
                    "date; descent: local descent from the last search")
-      ->capture_default_str();
+      ->default_str("certified");
   command
       ->add_option("--global-every", arguments.global_every,
                    "While descending, ticks from one search to the next")
-      ->capture_default_str();
+      ->default_str("10");
   command->add_option("--damping", arguments.damping, "N·s/m that a spring adds while it closes")
-      ->capture_default_str()
+      ->default_str("0")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--friction", arguments.friction, "Coulomb's coefficient")
-      ->capture_default_str()
+      ->default_str("0")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--stiffness-cap", arguments.stiffness_cap,
                    "N/m that all springs together do not exceed; 0 for no cap")
-      ->capture_default_str()
+      ->default_str("0")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--law", arguments.law,
                    "smooth: continuous in the pose; springs: one for every local minimum distance")
-      ->capture_default_str();
+      ->default_str("smooth");
   command->add_flag("--threaded", arguments.threaded,
                     "Follow the trajectory at its own rate while a servo thread steps the scene, rather than "
                     "as fast as it can");
   command->add_flag(
       "--compare", arguments.compare,
       "Search every tick from scratch, too, and tell what the mode missed and how far its force is off");
+  command->add_option("--record", arguments.record, "Write a trace, which --trajectory takes");
   command->add_option("--out", arguments.out, "Write a CSV row for each tick");
   command->add_flag("--json", arguments.json, "Print the summary as JSON");
   command->callback([&] { run_trajectory(arguments); });

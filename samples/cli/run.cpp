@@ -14,9 +14,9 @@ namespace palpate::cli {
 namespace {
 
 void require_supported(const RunArguments& arguments) {
-  static_cast<void>(mode_of(arguments.mode));
-  if (arguments.global_every == 0) throw Failure("--global-every 0: it is at least 1");
-  static_cast<void>(law_of(arguments.law));
+  if (arguments.mode) static_cast<void>(mode_of(*arguments.mode));
+  if (arguments.global_every == 0u) throw Failure("--global-every 0: it is at least 1");
+  if (arguments.law) static_cast<void>(law_of(*arguments.law));
   if (arguments.compare && arguments.threaded)
     throw Failure("--compare: not with --threaded, whose steps have no pose of their own");
 }
@@ -32,16 +32,16 @@ double seconds_a_pose(const std::vector<TimedPose>& poses, const std::string& fi
 // Plays the trajectory at its own rate. A row is the newest outcome just before the next pose is due.
 plp_servo_state run_threaded(Stage& stage, const std::vector<TimedPose>& poses, double seconds_a_pose,
                              std::vector<Tick>& ticks) {
-  stage.move(poses.front());
+  stage.move(0);
   stage.start(1.0 / seconds_a_pose);
   const auto start = std::chrono::steady_clock::now();
   const auto wait_until = [&](double seconds) {
     std::this_thread::sleep_until(start + std::chrono::duration<double>(seconds - poses.front().seconds));
   };
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    stage.move(poses[i]);
+    stage.move(i);
     wait_until(i + 1 < poses.size() ? poses[i + 1].seconds : poses[i].seconds + seconds_a_pose);
-    ticks.push_back(stage.newest(poses[i]));
+    ticks.push_back(stage.newest(i));
   }
   return stage.stop();
 }
@@ -49,41 +49,53 @@ plp_servo_state run_threaded(Stage& stage, const std::vector<TimedPose>& poses, 
 // Steps the same poses from scratch beside each tick; that takes no part in its time.
 class Reference {
  public:
-  Reference(const RunArguments& arguments, const RunModels& models)
-      : stage_(arguments, PLP_MODE_GLOBAL, models), comparison_(scale_of(arguments, models)) {}
+  Reference(const RunArguments& arguments, const plp_scene_options& options, const RunModels& models,
+            const Motion& motion)
+      : arguments_(from_scratch(arguments)),
+        stage_(arguments_, from_scratch(options), models, motion),
+        comparison_(scale_of(options, models)) {}
 
-  void compare(const TimedPose& at, const plp_contacts& found) {
-    static_cast<void>(stage_.step(at));
+  void compare(std::size_t pose, const plp_contacts& found) {
+    static_cast<void>(stage_.step(pose));
     comparison_.add(found, stage_.contacts());
   }
   ComparisonSummary summary() const { return comparison_.summary(); }
 
  private:
-  static Comparison scale_of(const RunArguments& arguments, const RunModels& models) {
+  static RunArguments from_scratch(RunArguments arguments) {
+    arguments.mode = "global";
+    return arguments;
+  }
+  static plp_scene_options from_scratch(plp_scene_options options) {
+    options.mode = PLP_MODE_GLOBAL;
+    return options;
+  }
+
+  static Comparison scale_of(const plp_scene_options& options, const RunModels& models) {
     constexpr double kOnePoint = 1e-9;  // of the body's diagonal
     plp_model_info body, tool;
     plp_model_info_init(&body, sizeof body);
     plp_model_info_init(&tool, sizeof tool);
     check(plp_model_get_info(models.body.get(), &body));
     check(plp_model_get_info(models.tool.get(), &tool));
-    const double force = arguments.stiffness * arguments.cutoff;
-    return {force, 0.5 * tool.diagonal * force, kOnePoint * body.diagonal};
+    const double unit = options.space.metres_per_unit;
+    const double force = options.stiffness * options.cutoff * unit;
+    return {force, 0.5 * tool.diagonal * force, kOnePoint * body.diagonal / unit};
   }
 
+  const RunArguments arguments_;
   Stage stage_;
   Comparison comparison_;
 };
 
-std::optional<ComparisonSummary> run_stepped(const RunArguments& arguments, const RunModels& models,
-                                             const std::vector<TimedPose>& poses, Stage& stage,
-                                             std::vector<Tick>& ticks) {
-  std::optional<Reference> reference;
-  if (arguments.compare) reference.emplace(arguments, models);
-  for (const TimedPose& pose : poses) {
+std::vector<Tick> run_stepped(const Motion& motion, Stage& stage, Reference* reference) {
+  std::vector<Tick> ticks;
+  ticks.reserve(motion.poses().size());
+  for (std::size_t pose = 0; pose < motion.poses().size(); ++pose) {
     ticks.push_back(stage.step(pose));
     if (reference) reference->compare(pose, stage.contacts());
   }
-  return reference ? std::optional(reference->summary()) : std::nullopt;
+  return ticks;
 }
 
 void write_file(const std::string& path, const std::vector<Tick>& ticks) {
@@ -141,10 +153,23 @@ void print_servo(const plp_servo_state& servo) {
       servo.lateness_us[1], servo.lateness_us[2], servo.lateness_us[3]);
 }
 
+void write_recording(JsonWriter& json, const plp_recording& recording) {
+  json.key("recording").open_object();
+  json.field("ticks", recording.ticks).field("lost", recording.lost).field("bytes", recording.bytes);
+  json.close();
+}
+
+void print_recording(const plp_recording& recording) {
+  std::printf(
+      "recorded %llu steps in %llu bytes, lost %llu\n", static_cast<unsigned long long>(recording.ticks),
+      static_cast<unsigned long long>(recording.bytes), static_cast<unsigned long long>(recording.lost));
+}
+
 // What there is to tell beside the summary.
 struct RunReport {
   std::optional<plp_servo_state> servo;
   std::optional<ComparisonSummary> comparison;
+  std::optional<plp_recording> recording;
 };
 
 void print_json(const RunSummary& summary, const RunReport& report) {
@@ -160,6 +185,7 @@ void print_json(const RunSummary& summary, const RunReport& report) {
   summary.work.write(json);
   if (report.servo) write_servo(json, *report.servo);
   if (report.comparison) write_comparison(json, *report.comparison);
+  if (report.recording) write_recording(json, *report.recording);
   json.close();
   std::cout << '\n';
 }
@@ -176,23 +202,29 @@ void print_summary(const RunSummary& summary) {
 
 void run_trajectory(const RunArguments& arguments) {
   require_supported(arguments);
-  const std::vector<TimedPose> poses = read_trajectory(arguments.trajectory);
-  const double interval = arguments.threaded ? seconds_a_pose(poses, arguments.trajectory) : 0.0;
+  const Motion motion(arguments.trajectory);
+  const plp_scene_options options = scene_options(arguments, motion);
+  const double interval = arguments.threaded ? seconds_a_pose(motion.poses(), arguments.trajectory) : 0.0;
   const RunModels models(arguments);
-  Stage stage(arguments, mode_of(arguments.mode), models);
+  Stage stage(arguments, options, models, motion);
+  std::optional<Reference> reference;
+  if (arguments.compare) reference.emplace(arguments, options, models, motion);
   std::vector<Tick> ticks;
-  ticks.reserve(poses.size());
   RunReport report;
+  if (!arguments.record.empty()) stage.record(arguments.record);
   if (arguments.threaded) {
-    report.servo = run_threaded(stage, poses, interval, ticks);
+    report.servo = run_threaded(stage, motion.poses(), interval, ticks);
   } else {
-    report.comparison = run_stepped(arguments, models, poses, stage, ticks);
+    ticks = run_stepped(motion, stage, reference ? &*reference : nullptr);
   }
+  if (!arguments.record.empty()) report.recording = stage.stop_recording();
+  if (reference) report.comparison = reference->summary();
   if (!arguments.out.empty()) write_file(arguments.out, ticks);
   if (arguments.json) return print_json(summary_of(ticks), report);
   print_summary(summary_of(ticks));
   if (report.servo) print_servo(*report.servo);
   if (report.comparison) print_comparison(*report.comparison);
+  if (report.recording) print_recording(*report.recording);
 }
 
 }  // namespace palpate::cli

@@ -1,5 +1,6 @@
 #include "samples/cli/stage.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace palpate::cli {
@@ -17,29 +18,54 @@ plp_law law_of(const std::string& name) {
   throw Failure("--law " + name + ": it is springs or smooth");
 }
 
-Stage::Stage(const RunArguments& arguments, plp_mode mode, const RunModels& models) {
+plp_scene_options scene_options(const RunArguments& arguments, const Motion& motion) {
   plp_scene_options options;
   plp_scene_options_init(&options, sizeof options);
-  options.cutoff = arguments.cutoff;
-  options.stiffness = arguments.stiffness;
-  options.law = law_of(arguments.law);
-  options.damping = arguments.damping;
-  options.friction = arguments.friction;
-  options.stiffness_cap = arguments.stiffness_cap;
-  options.mode = mode;
-  options.global_every = arguments.global_every;
-  check(plp_scene_create(&options, scene_.receive()));
-  add(models.body, PLP_BODY_STATIC);
-  tool_ = add(models.tool, PLP_BODY_TOOL);
+  if (motion.recorded()) options = motion.options();
+  if (!motion.recorded() && !arguments.cutoff) throw Failure("--cutoff is required, but with a trace");
+  options.cutoff = arguments.cutoff.value_or(options.cutoff);
+  options.stiffness = arguments.stiffness.value_or(options.stiffness);
+  options.damping = arguments.damping.value_or(options.damping);
+  options.friction = arguments.friction.value_or(options.friction);
+  options.stiffness_cap = arguments.stiffness_cap.value_or(options.stiffness_cap);
+  options.global_every = arguments.global_every.value_or(options.global_every);
+  if (arguments.mode) options.mode = mode_of(*arguments.mode);
+  if (arguments.law) options.law = law_of(*arguments.law);
+  return options;
 }
 
-Tick Stage::step(const TimedPose& at) {
+Stage::Stage(const RunArguments& arguments, const plp_scene_options& options, const RunModels& models,
+             const Motion& motion)
+    : arguments_(arguments), motion_(motion) {
+  check(plp_scene_create(&options, scene_.receive()));
+  body_ = add(models.body, PLP_BODY_STATIC, motion.body());
+  tool_ = add(models.tool, PLP_BODY_TOOL, motion.tool());
+}
+
+void Stage::move(std::size_t pose) {
+  if (!motion_.recorded()) return check(plp_scene_set_pose(scene_.get(), tool_, &motion_.poses()[pose].pose));
+  follow_settings(motion_.tick(pose));
+  motion_.place(pose, scene_.get(), body_, tool_);
+}
+
+// What was not asked for otherwise changes as it did when the trace was recorded.
+void Stage::follow_settings(const plp_trace_tick& tick) {
+  if (!arguments_.cutoff) check(plp_scene_set_cutoff(scene_.get(), tick.cutoff));
+  if (!arguments_.stiffness) check(plp_scene_set_stiffness(scene_.get(), tick.stiffness));
+  if (!arguments_.damping) check(plp_scene_set_damping(scene_.get(), tick.damping));
+  if (!arguments_.friction) check(plp_scene_set_friction(scene_.get(), tick.friction));
+  if (!arguments_.stiffness_cap) check(plp_scene_set_stiffness_cap(scene_.get(), tick.stiffness_cap));
+  if (!arguments_.mode) check(plp_scene_set_mode(scene_.get(), tick.mode));
+  if (!arguments_.law) check(plp_scene_set_law(scene_.get(), tick.law));
+}
+
+Tick Stage::step(std::size_t pose) {
+  move(pose);
   const auto start = std::chrono::steady_clock::now();
-  move(at);
   check(plp_scene_step(scene_.get()));
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
 
-  Tick tick = newest(at);
+  Tick tick = newest(pose);
   tick.local_us = took.count();
   return tick;
 }
@@ -51,10 +77,15 @@ void Stage::start(double rate) {
   check(plp_scene_start(scene_.get(), &options));
 }
 
-Tick Stage::newest(const TimedPose& at) const {
+Tick Stage::newest(std::size_t pose) const {
   const plp_contacts found = contacts();
-  return {at.seconds,      found.set_count, found.min_distance, found.wrench,
-          found.search_us, found.work,      found.overlap != 0};
+  return {motion_.poses()[pose].seconds,
+          found.set_count,
+          found.min_distance,
+          found.wrench,
+          found.search_us,
+          found.work,
+          found.overlap != 0};
 }
 
 plp_servo_state Stage::stop() {
@@ -65,6 +96,13 @@ plp_servo_state Stage::stop() {
   return state;
 }
 
+plp_recording Stage::stop_recording() {
+  plp_recording recording;
+  plp_recording_init(&recording, sizeof recording);
+  check(plp_scene_stop_recording(scene_.get(), &recording));
+  return recording;
+}
+
 plp_contacts Stage::contacts() const {
   plp_contacts contacts;
   plp_contacts_init(&contacts, sizeof contacts);
@@ -72,11 +110,15 @@ plp_contacts Stage::contacts() const {
   return contacts;
 }
 
-plp_body Stage::add(const OwnedModel& model, plp_body_kind kind) {
+plp_body Stage::add(const OwnedModel& model, plp_body_kind kind, const plp_trace_body& recorded) {
   plp_body_options options;
   plp_body_options_init(&options, sizeof options);
   options.kind = kind;
   options.model = model.get();
+  options.stiffness = recorded.stiffness;
+  options.damping = recorded.damping;
+  options.friction = recorded.friction;
+  std::copy_n(recorded.reference_point, 3, options.reference_point);
   plp_body body = 0;
   check(plp_scene_add_body(scene_.get(), &options, &body));
   return body;

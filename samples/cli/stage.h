@@ -5,8 +5,8 @@
 #include "palpate/palpate.h"
 #include "samples/cli/commands.h"
 #include "samples/cli/handles.h"
+#include "samples/cli/motion.h"
 #include "samples/cli/tick.h"
-#include "samples/cli/trajectory.h"
 
 namespace palpate::cli {
 
@@ -22,25 +22,37 @@ struct RunModels {
       : body(load_model(arguments.a, arguments.scale_a)), tool(load_model(arguments.b, arguments.scale_b)) {}
 };
 
-// A scene of both.
+// How the scene of a run is made: as it was asked for. Throws Failure.
+plp_scene_options scene_options(const RunArguments& arguments, const Motion& motion);
+
+// A scene of both, which follows a motion pose by pose.
 class Stage {
  public:
-  Stage(const RunArguments& arguments, plp_mode mode, const RunModels& models);
+  Stage(const RunArguments& arguments, const plp_scene_options& options, const RunModels& models,
+        const Motion& motion);
 
-  Tick step(const TimedPose& at);
+  Tick step(std::size_t pose);
 
   // The same while a servo of so many steps a second runs beside the caller.
   void start(double rate);
-  void move(const TimedPose& at) { check(plp_scene_set_pose(scene_.get(), tool_, &at.pose)); }
-  Tick newest(const TimedPose& at) const;
+  void move(std::size_t pose);
+  Tick newest(std::size_t pose) const;
   plp_servo_state stop();
+
+  // A trace of all steps from now on.
+  void record(const std::string& path) { check(plp_scene_record(scene_.get(), path.c_str())); }
+  plp_recording stop_recording();
 
   plp_contacts contacts() const;  // of the newest step, valid until the next
 
  private:
-  plp_body add(const OwnedModel& model, plp_body_kind kind);
+  plp_body add(const OwnedModel& model, plp_body_kind kind, const plp_trace_body& recorded);
+  void follow_settings(const plp_trace_tick& tick);
 
+  const RunArguments& arguments_;
+  const Motion& motion_;
   OwnedScene scene_;
+  plp_body body_ = 0;
   plp_body tool_ = 0;
 };
 

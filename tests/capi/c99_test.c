@@ -87,6 +87,21 @@ PIN_OFFSET(plp_servo_state, wanted_rate, 16);
 PIN_OFFSET(plp_servo_state, work_us, 56);
 PIN_OFFSET(plp_servo_state, lateness_us, 88);
 PIN_OFFSET(plp_servo_state, result_age, 152);
+PIN_SIZE(plp_recording, 32);
+PIN_SIZE(plp_trace_info, 48);
+PIN_OFFSET(plp_trace_info, duration, 40);
+PIN_SIZE(plp_trace_body, 104);
+PIN_OFFSET(plp_trace_body, model_name, 16);
+PIN_OFFSET(plp_trace_body, reference_point, 64);
+PIN_OFFSET(plp_trace_body, end_tick, 96);
+PIN_SIZE(plp_trace_move, 64);
+PIN_SIZE(plp_trace_tick, 296);
+PIN_OFFSET(plp_trace_tick, time, 24);
+PIN_OFFSET(plp_trace_tick, mode, 88);
+PIN_OFFSET(plp_trace_tick, tool_pose, 104);
+PIN_OFFSET(plp_trace_tick, wrench, 160);
+PIN_OFFSET(plp_trace_tick, step_us, 248);
+PIN_OFFSET(plp_trace_tick, removed_count, 288);
 
 static int failures = 0;
 

@@ -209,6 +209,41 @@ class CommandLine(unittest.TestCase):
             self.assertTrue(set(round((distance - 0.15) / 0.0005, 6) for distance in felt) <= set(range(-59, 1)), felt)
             self.assertEqual(felt, sorted(felt, reverse=True), "no outcome comes before an older one")
 
+    def test_record_and_replay(self):
+        rows = ["t,px,py,pz,qx,qy,qz,qw"] + [f"{0.001 * i},{1.15 - 0.001 * i},0.01,{0.002 * i},0.1,0,{0.001 * i},1" for i in range(60)]
+        poses = self.write("motion.csv", "\n".join(rows))
+
+        def run(trajectory, name, *options):
+            trace, out = (str(Path(self.folder.name) / (name + suffix)) for suffix in (".trace", ".csv"))
+            summary = json.loads(self.output("run", self.box, self.box, "--trajectory", trajectory, *options, "--record",
+                                             trace, "--out", out, "--json"))
+            self.assertEqual((summary["recording"]["ticks"], summary["recording"]["lost"]), (60, 0))
+            self.assertEqual(summary["recording"]["bytes"], Path(trace).stat().st_size)
+            with open(out, newline="") as file:
+                ticks = list(csv.DictReader(file))
+            same = ("lmds", "min_distance", "fx", "fy", "fz", "tx", "ty", "tz", "pairs", "age_ticks")
+            return trace, [tuple(tick[name] for name in same) for tick in ticks]
+
+        for mode in ("global", "descent", "certified"):
+            for law in ("springs", "smooth"):
+                asked = ("--cutoff", "0.2", "--mode", mode, "--law", law, "--stiffness", "321", "--damping", "2",
+                         "--friction", "0.2", "--global-every", "6")
+                trace, told = run(poses, f"{mode}_{law}", *asked)
+                self.assertGreater(len({tick[2] for tick in told}), 20)
+                again, replayed = run(trace, f"again_{mode}_{law}")
+                self.assertEqual(replayed, told)
+                self.assertEqual(run(again, f"third_{mode}_{law}")[1], told)
+        stiffer = run(trace, "stiffer", "--stiffness", "642", "--damping", "0", "--friction", "0")[1]
+        self.assertNotEqual(stiffer, told)
+        self.assertEqual([tick[:2] for tick in stiffer], [tick[:2] for tick in told])
+        compared = json.loads(self.output("run", self.box, self.box, "--trajectory", trace, "--compare", "--json"))
+        self.assertEqual(compared["comparison"]["missed"], 0)
+        damaged = Path(self.folder.name) / "damaged.trace"
+        damaged.write_bytes(Path(trace).read_bytes()[:100])
+        self.assertIn("damaged.trace", self.complaint("run", self.box, self.box, "--trajectory", str(damaged)))
+        self.assertIn("--cutoff", self.complaint("run", self.box, self.box, "--trajectory", poses))
+        self.assertIn("/nowhere", self.complaint("run", self.box, self.box, "--trajectory", trace, "--record", "/nowhere/x"))
+
     def test_mistakes(self):
         poses = self.write("poses.csv", "t,px,py,pz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,2,3\n")
         header = self.write("header.csv", "time,x\n")

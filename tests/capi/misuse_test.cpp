@@ -363,6 +363,10 @@ TEST_F(Misuse, InitFunctionsWriteNoMoreThanTheirCallersStruct) {
   expect_fills(plp_safety_limits_init);
   expect_fills(plp_hand_options_init);
   expect_fills(plp_device_mapping_init);
+  expect_fills(plp_recording_init);
+  expect_fills(plp_trace_info_init);
+  expect_fills(plp_trace_body_init);
+  expect_fills(plp_trace_tick_init);
 }
 
 TEST_F(Misuse, InputStructSizes) {

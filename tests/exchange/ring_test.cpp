@@ -13,12 +13,15 @@ TEST(Ring, IsFirstInFirstOutAndBounded) {
   EXPECT_EQ(ring.capacity(), 4u);
   int item = -1;
   EXPECT_FALSE(ring.pop(item));
+  EXPECT_EQ(ring.room(), 4u);
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(ring.push(i));
+  EXPECT_EQ(ring.room(), 0u);
   EXPECT_FALSE(ring.push(4));
   for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(ring.pop(item));
     EXPECT_EQ(item, i);
   }
+  EXPECT_EQ(ring.room(), 4u);
   EXPECT_FALSE(ring.pop(item));
 }
 

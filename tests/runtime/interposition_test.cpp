@@ -1,7 +1,10 @@
 // The servo path under replaced functions of the C library: in a tick it may neither allocate, lock, wait nor
 // use files.
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -126,7 +129,8 @@ BodyId add(LiveScene& scene, const std::shared_ptr<const Model>& model, BodyKind
 
 class ServoPath : public testing::TestWithParam<SearchMode> {};
 
-// A hand slides over one body while others come near, are added where it is, and are removed.
+// A hand slides over one body while others come near, are added where it is, and are removed, all of it
+// recorded.
 TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
   constexpr std::uint64_t kSeed = 21;
   std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
@@ -140,6 +144,9 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
   const BodyId tool_id = add(scene, tool, BodyKind::kTool, motion[0]);
   GuardedScene guarded(scene);
   SceneThreads threads(scene);
+  const std::filesystem::path trace =
+      std::filesystem::temp_directory_path() / ("palpate_servo_path_" + std::to_string(::getpid()));
+  ASSERT_TRUE(scene.record(trace.string(), {}).ok());
   ASSERT_TRUE(threads.start(kServo, guarded));
 
   std::size_t sets = 0, overlaps = 0;
@@ -163,6 +170,11 @@ TEST_P(ServoPath, NeitherAllocatesNorLocksNorBlocks) {
     });
   }
   const LiveCounts counts = scene.counts();
+  Recording recording;
+  EXPECT_TRUE(scene.stop_recording(recording).ok());
+  std::filesystem::remove(trace);
+  EXPECT_GE(recording.counts.ticks + recording.counts.lost, motion.size());
+  EXPECT_GT(recording.counts.ticks, 0u);
   threads.stop();
   std::printf("%zu sets, %zu overlaps, %llu pairs made ready, %llu ticks waited, %llu were cut\n", sets,
               overlaps, static_cast<unsigned long long>(counts.preparations),

@@ -17,7 +17,8 @@ BELOW = {
     "engine/contact": ("engine/math",),
     "engine/scene": ("engine/descent", "engine/contact"),
     "engine/exchange": ("engine/base",),
-    "engine/runtime": ("engine/scene", "engine/descent", "engine/exchange", "engine/device"),
+    "engine/runtime": ("engine/scene", "engine/descent", "engine/exchange", "engine/device",
+                       "engine/trace"),
     "engine/device": ("engine/math", "engine/exchange"),
     "engine/trace": ("engine/exchange",),
 }

@@ -42,7 +42,7 @@ namespace Palpate
         }
     }
 
-    /// <summary>PLP_ERROR_BAD_FORMAT: not glTF, or glTF that breaks its own rules.</summary>
+    /// <summary>PLP_ERROR_BAD_FORMAT: not what it should be, such as glTF or a trace, or breaks its own rules.</summary>
     public sealed class PalpateBadFormatException : PalpateException
     {
         internal PalpateBadFormatException(string message) : base(Raw.PLP_ERROR_BAD_FORMAT, message)
@@ -106,6 +106,14 @@ namespace Palpate
         }
     }
 
+    /// <summary>PLP_ERROR_FILE_WRITE: a file that cannot be made or written.</summary>
+    public sealed class PalpateFileWriteException : PalpateException
+    {
+        internal PalpateFileWriteException(string message) : base(Raw.PLP_ERROR_FILE_WRITE, message)
+        {
+        }
+    }
+
     /// <summary>PLP_ERROR_INTERNAL: a defect of this library.</summary>
     public sealed class PalpateInternalException : PalpateException
     {
@@ -133,6 +141,7 @@ namespace Palpate
                 case Raw.PLP_ERROR_UNSAFE_PATH: return new PalpateUnsafePathException(message);
                 case Raw.PLP_ERROR_WRONG_STATE: return new PalpateWrongStateException(message);
                 case Raw.PLP_ERROR_DEVICE: return new PalpateDeviceException(message);
+                case Raw.PLP_ERROR_FILE_WRITE: return new PalpateFileWriteException(message);
                 case Raw.PLP_ERROR_INTERNAL: return new PalpateInternalException(message);
                 default: return new PalpateException(code, message);
             }

@@ -32,6 +32,7 @@ namespace Palpate
         public const int PLP_ERROR_UNSAFE_PATH = -11;
         public const int PLP_ERROR_WRONG_STATE = -12;
         public const int PLP_ERROR_DEVICE = -13;
+        public const int PLP_ERROR_FILE_WRITE = -14;
         public const int PLP_ERROR_INTERNAL = -100;
 
         public const int PLP_LOG_ERROR = 0;
@@ -459,6 +460,86 @@ namespace Palpate
             public uint reserved;
         }
 
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_recording
+        {
+            public uint struct_size;
+            public int running;
+            public ulong ticks;
+            public ulong lost;
+            public ulong bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_trace_info
+        {
+            public uint struct_size;
+            public int complete;
+            public ulong ticks;
+            public ulong lost;
+            public ulong bodies;
+            public ulong bytes;
+            public double duration;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_trace_body
+        {
+            public uint struct_size;
+            public int kind;
+            public ulong body;
+            public byte* model_name;
+            public ulong model_triangles;
+            public ulong model_hash;
+            public double stiffness;
+            public double damping;
+            public double friction;
+            public fixed double reference_point[3];
+            public ulong first_tick;
+            public ulong end_tick;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_trace_move
+        {
+            public ulong body;
+            public plp_pose pose;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_trace_tick
+        {
+            public uint struct_size;
+            public uint status;
+            public ulong step;
+            public ulong lost;
+            public double time;
+            public double clock;
+            public double time_step;
+            public double cutoff;
+            public double stiffness;
+            public double damping;
+            public double stiffness_cap;
+            public double friction;
+            public int mode;
+            public int law;
+            public ulong tool;
+            public plp_pose tool_pose;
+            public plp_wrench wrench;
+            public double min_distance;
+            public ulong set_count;
+            public ulong lmd_count;
+            public ulong overlap_count;
+            public int overlap;
+            public uint reserved;
+            public double step_us;
+            public plp_trace_move* moves;
+            public UIntPtr move_count;
+            public UIntPtr move_stride;
+            public ulong* removed;
+            public UIntPtr removed_count;
+        }
+
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern uint plp_version();
 
@@ -508,6 +589,9 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_model_prepare(IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_get_hash(IntPtr model, ulong* hash);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void plp_contacts_init(plp_contacts* contacts, UIntPtr size);
@@ -654,5 +738,50 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_set_device(IntPtr scene, IntPtr device, plp_device_mapping* mapping);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_recording_init(plp_recording* recording, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_record(IntPtr scene, byte* path);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_stop_recording(IntPtr scene, plp_recording* recording);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_recording(IntPtr scene, plp_recording* recording);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_open(byte* path, IntPtr* trace);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_release(IntPtr trace);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_trace_info_init(plp_trace_info* info, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_get_info(IntPtr trace, plp_trace_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_get_options(IntPtr trace, plp_scene_options* options);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_trace_body_init(plp_trace_body* body, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_get_body(IntPtr trace, ulong index, plp_trace_body* body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_trace_tick_init(plp_trace_tick* tick, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_read(IntPtr trace, ulong index, plp_trace_tick* tick);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_get_contacts(IntPtr trace, plp_contacts* contacts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_trace_place(IntPtr trace, ulong tick, ulong recorded, IntPtr scene, ulong body);
     }
 }

@@ -65,7 +65,7 @@ enum {
   PLP_ERROR_OUT_OF_MEMORY = -3,
   PLP_ERROR_FILE_NOT_FOUND = -4,
   PLP_ERROR_FILE_READ = -5,    /**< the file exists but could not be read */
-  PLP_ERROR_BAD_FORMAT = -6,   /**< not glTF, or glTF that breaks its own rules */
+  PLP_ERROR_BAD_FORMAT = -6,   /**< not what it should be, such as glTF or a trace, or breaks its own rules */
   PLP_ERROR_UNSUPPORTED = -7,  /**< glTF that requires an extension this library does not have */
   PLP_ERROR_NO_TRIANGLES = -8, /**< nothing to touch: no triangle of positive area */
   PLP_ERROR_NON_FINITE = -9,   /**< an infinite or NaN coordinate */
@@ -74,6 +74,7 @@ enum {
   PLP_ERROR_WRONG_STATE = -12, /**< not while things are as they are: a servo steps the scene, or another
                                   scene has the device */
   PLP_ERROR_DEVICE = -13,      /**< a device that cannot be opened */
+  PLP_ERROR_FILE_WRITE = -14,  /**< a file that cannot be made or written */
   PLP_ERROR_INTERNAL = -100    /**< a defect of this library */
 };
 
@@ -296,6 +297,12 @@ PLP_API const char* plp_model_note(plp_model model, uint32_t index);
 /** @brief Builds the model's hierarchies now rather than when something first comes near.
  *  @return PLP_ERROR_INVALID_HANDLE or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_model_prepare(plp_model model);
+
+/** @brief Tells models apart: a number that is the same for models whose triangles as they are searched are
+ * the same, whatever they were loaded from. Takes a look at each of them.
+ *  @param hash receives it. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any
+ *  @since 0.1 */
+PLP_API plp_result plp_model_get_hash(plp_model model, uint64_t* hash);
 
 /* --------------------------------------------------------------------------------------------------------
  * contacts */
@@ -968,6 +975,181 @@ PLP_API void plp_device_mapping_init(plp_device_mapping* mapping, size_t size);
  */
 PLP_API plp_result plp_scene_set_device(plp_scene scene, plp_device device,
                                         const plp_device_mapping* mapping);
+
+/* ------------------------------------------------------------------------------------------------------------
+ * trace */
+
+/** How the recording of a scene goes or, from plp_scene_stop_recording, went. */
+typedef struct plp_recording {
+  uint32_t struct_size;
+  int32_t running; /**< 1: the scene is recorded */
+  uint64_t ticks;  /**< in the file or on their way to it */
+  uint64_t lost;   /**< that found no room */
+  uint64_t bytes;  /**< of the file */
+} plp_recording;
+
+/** @brief Fills `recording` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_recording_init(plp_recording* recording, size_t size);
+
+/**
+ * @brief Records every step of the scene from now on, a caller's and a servo's, with all that its outcome
+ * depends on: poses as the engine has them, bodies, settings. A caller's steps are all recorded; a servo
+ * never waits for the file, so steps are lost, and counted, if it is slower than they come. A thread of this
+ * library writes it. Replayed from its first step in a new scene, a trace gives the same bits.
+ * @param path UTF-8; a file that is there is overwritten. In a folder that is not there: _FILE_NOT_FOUND.
+ * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it is recorded already),
+ * _FILE_NOT_FOUND, _FILE_WRITE, _LIMIT (the system allows no more threads) or _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_scene_record(plp_scene scene, const char* path);
+
+/** @brief Ends a recording and its file. It happens by itself when the scene is released. A running servo is
+ * waited for, a tick as a rule, at most 0.1 s.
+ *  @param recording receives how it went; may be null.
+ *  @return PLP_ERROR_FILE_WRITE or _OUT_OF_MEMORY if something went wrong since it began, such as a disk that
+ * is full: it has ended all the same, `recording` is filled, and what is whole of the file can be read.
+ * _INVALID_HANDLE, _INVALID_ARGUMENT or _WRONG_STATE (the scene is not recorded).
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_stop_recording(plp_scene scene, plp_recording* recording);
+
+/** @brief Tells how a recording goes; zeros if there is none. @return PLP_ERROR_INVALID_HANDLE or
+ *  _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_get_recording(plp_scene scene, plp_recording* recording);
+
+/** The trace of a scene: a file that is open. What it gives is in the space that the scene had. */
+typedef struct plp_trace_t* plp_trace;
+
+/**
+ * @brief Opens a trace. Of one that was cut off, as by a crash, all steps that are whole can be read:
+ * plp_trace_info::complete tells. The file must stay as it is until the release.
+ * @param path UTF-8. @param trace receives the handle; release it.
+ * @return PLP_ERROR_BAD_FORMAT for what is no trace or a damaged one: the sentence names the byte;
+ * _UNSUPPORTED for another version of the format; _INVALID_ARGUMENT, _FILE_NOT_FOUND, _FILE_READ, _LIMIT or
+ * _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_trace_open(const char* path, plp_trace* trace);
+
+/** @brief Closes a trace and releases its arrays. Null is allowed. @return PLP_ERROR_INVALID_HANDLE.
+ *  @threadsafety object @since 0.1 */
+PLP_API plp_result plp_trace_release(plp_trace trace);
+
+/** What a trace has. */
+typedef struct plp_trace_info {
+  uint32_t struct_size;
+  int32_t complete; /**< 0: it was cut off, and the scene went on behind its last step */
+  uint64_t ticks;   /**< steps that can be read */
+  uint64_t lost;    /**< steps that were not recorded, because the file was too slow */
+  uint64_t bodies;  /**< that there ever were */
+  uint64_t bytes;   /**< of the file, as far as it is whole */
+  double duration;  /**< seconds of the scene from the first step to the last */
+} plp_trace_info;
+
+/** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_trace_info_init(plp_trace_info* info, size_t size);
+
+/** @brief Tells what a trace has. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_trace_get_info(plp_trace trace, plp_trace_info* info);
+
+/** @brief Tells how the scene was made, with the settings of the moment in which its recording began and the
+ * time step of its first step: make a scene with them to replay it. `threads` is left as it is.
+ *  @param options initialised. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any
+ *  @since 0.1 */
+PLP_API plp_result plp_trace_get_options(plp_trace trace, plp_scene_options* options);
+
+/** A body of a trace. */
+typedef struct plp_trace_body {
+  uint32_t struct_size;
+  int32_t kind;           /**< plp_body_kind */
+  plp_body body;          /**< as the scene called it */
+  const char* model_name; /**< the name of its file; valid until the trace is released */
+  uint64_t model_triangles;
+  uint64_t model_hash;       /**< plp_model_get_hash */
+  double stiffness;          /**< as in plp_body_options, as the rest */
+  double damping;            /**< N·s/m */
+  double friction;           /**< coefficient */
+  double reference_point[3]; /**< its own frame, scene units */
+  uint64_t first_tick;       /**< the first step that had it; the number of steps if none had */
+  uint64_t end_tick;         /**< the first step without it; the number of steps if it stayed */
+} plp_trace_body;
+
+/** @brief Fills `body` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_trace_body_init(plp_trace_body* body, size_t size);
+
+/** @brief Describes a body of a trace. @param index below plp_trace_info::bodies; in the order in which they
+ * were added. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_trace_get_body(plp_trace trace, uint64_t index, plp_trace_body* body);
+
+/** Where a body was placed. */
+typedef struct plp_trace_move {
+  plp_body body;
+  plp_pose pose;
+} plp_trace_move;
+
+/** One step of a trace: what was changed before it, the settings that it had, and its outcome. */
+typedef struct plp_trace_tick {
+  uint32_t struct_size;
+  uint32_t status;      /**< PLP_STATUS_* bits */
+  uint64_t step;        /**< of its scene, from 1 */
+  uint64_t lost;        /**< steps just before it that were not recorded */
+  double time;          /**< seconds of the scene since the first step of the trace */
+  double clock;         /**< seconds that had passed since the recording began */
+  double time_step;     /**< seconds since the step before */
+  double cutoff;        /**< units of the space */
+  double stiffness;     /**< N/m */
+  double damping;       /**< N·s/m */
+  double stiffness_cap; /**< N/m */
+  double friction;      /**< coefficient */
+  int32_t mode;         /**< plp_mode */
+  int32_t law;          /**< plp_law */
+  plp_body tool;        /**< 0: none */
+  plp_pose tool_pose;
+  plp_wrench wrench;
+  double min_distance; /**< infinite if there is no LMD */
+  uint64_t set_count;
+  uint64_t lmd_count;
+  uint64_t overlap_count;
+  int32_t overlap;
+  uint32_t reserved;
+  double step_us;              /**< all that the step computed */
+  const plp_trace_move* moves; /**< bodies that were added or placed anew, but for the tool */
+  size_t move_count;
+  size_t move_stride;      /**< bytes from one to the next */
+  const plp_body* removed; /**< bodies that were removed */
+  size_t removed_count;
+} plp_trace_tick;
+
+/** @brief Fills `tick` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_trace_tick_init(plp_trace_tick* tick, size_t size);
+
+/**
+ * @brief Reads a step.
+ * @param index below plp_trace_info::ticks. @param tick receives it; its arrays are valid until the next
+ * plp_trace_read of this trace, or its release.
+ * @return PLP_ERROR_INVALID_ARGUMENT (also behind the last step), _BAD_FORMAT for damage: the sentence names
+ * the byte; _INVALID_HANDLE, _FILE_READ or _OUT_OF_MEMORY. Then there is no step to get contacts of.
+ * @threadsafety object @since 0.1
+ */
+PLP_API plp_result plp_trace_read(plp_trace trace, uint64_t index, plp_trace_tick* tick);
+
+/** @brief Gives the outcome of the step that was read last, with its LMDs but without springs and the list of
+ * overlaps, which are not recorded. The arrays are valid as those of plp_trace_read.
+ *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT or _WRONG_STATE (none was read). @threadsafety object
+ *  @since 0.1 */
+PLP_API plp_result plp_trace_get_contacts(plp_trace trace, plp_contacts* contacts);
+
+/**
+ * @brief Places a body where a recorded one was, bit by bit, which a plp_pose that was read may miss by its
+ * rounding. To replay a trace, make a scene by plp_trace_get_options, add its bodies, and for each step place
+ * them, set what settings have changed, and step.
+ * @param recorded as the trace calls it. @param body of `scene`.
+ * @return PLP_ERROR_INVALID_ARGUMENT if the trace has no such step, or no such body in it; _INVALID_HANDLE,
+ * _FILE_READ or _BAD_FORMAT.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_trace_place(plp_trace trace, uint64_t tick, plp_body recorded, plp_scene scene,
+                                   plp_body body);
 
 #ifdef __cplusplus
 }

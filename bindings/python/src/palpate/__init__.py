@@ -10,7 +10,8 @@ Units are metres, seconds, newtons and newton-metres; frames are right-handed; q
 """
 
 from . import _raw
-from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError, InternalError, InvalidArgument, InvalidHandle,
+from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError,
+                      FileWriteError, InternalError, InvalidArgument, InvalidHandle,
                       LimitExceeded, NonFinite, NoTriangles, OutOfMemory, PalpateError, UnsafePath, Unsupported,
                       WrongState)
 from ._records import Records
@@ -20,9 +21,11 @@ from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
 from .query import QueryResult, query
+from .recording import Recording
 from .scene import Body, Scene
 from .servo import Latency, ServoState, shutdown_all
 from .space import Space
+from .trace import Trace, TraceBody, TraceTick
 
 
 def version() -> str:
@@ -32,9 +35,10 @@ def version() -> str:
 
 __all__ = [
     "BadFormat", "Body", "Condition", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature",
-    "FileNotFound", "FileReadError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle",
-    "Latency", "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
-    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene",
-    "ServoState", "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState",
-    "devices", "query", "set_log_callback", "shutdown_all", "version",
+    "FileNotFound", "FileReadError", "FileWriteError", "Grip", "HandScript", "InternalError", "InvalidArgument",
+    "InvalidHandle", "Latency", "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles",
+    "NonFinite", "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Recording",
+    "Records", "Safety", "Scene", "ServoState", "Space", "Status", "SurfaceCounts", "Trace", "TraceBody", "TraceTick",
+    "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query", "set_log_callback", "shutdown_all",
+    "version",
 ]

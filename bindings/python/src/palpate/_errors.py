@@ -36,7 +36,7 @@ class FileReadError(PalpateError, OSError):
 
 
 class BadFormat(PalpateError):
-    """Not glTF, or glTF that breaks its own rules."""
+    """Not what it should be, such as glTF or a trace, or breaks its own rules."""
 
     code = _raw.PLP_ERROR_BAD_FORMAT
 
@@ -81,6 +81,12 @@ class DeviceError(PalpateError):
     code = _raw.PLP_ERROR_DEVICE
 
 
+class FileWriteError(PalpateError, OSError):
+    """A file that cannot be made or written."""
+
+    code = _raw.PLP_ERROR_FILE_WRITE
+
+
 class InternalError(PalpateError):
     """A defect of the library."""
 
@@ -89,7 +95,7 @@ EXCEPTIONS: dict[int, type[PalpateError]] = {
     exception.code: exception
     for exception in (InvalidArgument, InvalidHandle, OutOfMemory, FileNotFound, FileReadError, BadFormat, Unsupported,
                       NoTriangles, NonFinite, LimitExceeded, UnsafePath, WrongState, DeviceError,
-                      InternalError)
+                      FileWriteError, InternalError)
 }
 
 

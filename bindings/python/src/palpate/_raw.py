@@ -27,6 +27,7 @@ PLP_ERROR_LIMIT = -10
 PLP_ERROR_UNSAFE_PATH = -11
 PLP_ERROR_WRONG_STATE = -12
 PLP_ERROR_DEVICE = -13
+PLP_ERROR_FILE_WRITE = -14
 PLP_ERROR_INTERNAL = -100
 
 PLP_LOG_ERROR = 0
@@ -439,6 +440,83 @@ class plp_device_mapping(Structure):
     ]
 
 
+class plp_recording(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("running", c_int32),
+        ("ticks", c_uint64),
+        ("lost", c_uint64),
+        ("bytes", c_uint64),
+    ]
+
+
+class plp_trace_info(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("complete", c_int32),
+        ("ticks", c_uint64),
+        ("lost", c_uint64),
+        ("bodies", c_uint64),
+        ("bytes", c_uint64),
+        ("duration", c_double),
+    ]
+
+
+class plp_trace_body(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("body", c_uint64),
+        ("model_name", c_void_p),
+        ("model_triangles", c_uint64),
+        ("model_hash", c_uint64),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("friction", c_double),
+        ("reference_point", c_double * 3),
+        ("first_tick", c_uint64),
+        ("end_tick", c_uint64),
+    ]
+
+
+class plp_trace_move(Structure):
+    _fields_ = [("body", c_uint64), ("pose", plp_pose)]
+
+
+class plp_trace_tick(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("status", c_uint32),
+        ("step", c_uint64),
+        ("lost", c_uint64),
+        ("time", c_double),
+        ("clock", c_double),
+        ("time_step", c_double),
+        ("cutoff", c_double),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("stiffness_cap", c_double),
+        ("friction", c_double),
+        ("mode", c_int32),
+        ("law", c_int32),
+        ("tool", c_uint64),
+        ("tool_pose", plp_pose),
+        ("wrench", plp_wrench),
+        ("min_distance", c_double),
+        ("set_count", c_uint64),
+        ("lmd_count", c_uint64),
+        ("overlap_count", c_uint64),
+        ("overlap", c_int32),
+        ("reserved", c_uint32),
+        ("step_us", c_double),
+        ("moves", c_void_p),
+        ("move_count", c_size_t),
+        ("move_stride", c_size_t),
+        ("removed", c_void_p),
+        ("removed_count", c_size_t),
+    ]
+
+
 # A handle is an opaque value of a pointer's size; ctypes gives a null one back as None.
 _handle = c_void_p
 _result = c_int32
@@ -475,6 +553,7 @@ plp_model_info_init = _function("plp_model_info_init", None, POINTER(plp_model_i
 plp_model_get_info = _function("plp_model_get_info", _result, _handle, POINTER(plp_model_info))
 plp_model_note = _function("plp_model_note", c_char_p, _handle, c_uint32)
 plp_model_prepare = _function("plp_model_prepare", _result, _handle)
+plp_model_get_hash = _function("plp_model_get_hash", _result, _handle, POINTER(c_uint64))
 
 plp_contacts_init = _function("plp_contacts_init", None, POINTER(plp_contacts), c_size_t)
 
@@ -529,3 +608,19 @@ plp_device_set_hand_poses = _function("plp_device_set_hand_poses", _result, _han
 plp_device_place_in_hand = _function("plp_device_place_in_hand", _result, _handle)
 plp_device_mapping_init = _function("plp_device_mapping_init", None, POINTER(plp_device_mapping), c_size_t)
 plp_scene_set_device = _function("plp_scene_set_device", _result, _handle, _handle, POINTER(plp_device_mapping))
+
+plp_recording_init = _function("plp_recording_init", None, POINTER(plp_recording), c_size_t)
+plp_scene_record = _function("plp_scene_record", _result, _handle, c_char_p)
+plp_scene_stop_recording = _function("plp_scene_stop_recording", _result, _handle, POINTER(plp_recording))
+plp_scene_get_recording = _function("plp_scene_get_recording", _result, _handle, POINTER(plp_recording))
+plp_trace_open = _function("plp_trace_open", _result, c_char_p, POINTER(_handle))
+plp_trace_release = _function("plp_trace_release", _result, _handle)
+plp_trace_info_init = _function("plp_trace_info_init", None, POINTER(plp_trace_info), c_size_t)
+plp_trace_get_info = _function("plp_trace_get_info", _result, _handle, POINTER(plp_trace_info))
+plp_trace_get_options = _function("plp_trace_get_options", _result, _handle, POINTER(plp_scene_options))
+plp_trace_body_init = _function("plp_trace_body_init", None, POINTER(plp_trace_body), c_size_t)
+plp_trace_get_body = _function("plp_trace_get_body", _result, _handle, c_uint64, POINTER(plp_trace_body))
+plp_trace_tick_init = _function("plp_trace_tick_init", None, POINTER(plp_trace_tick), c_size_t)
+plp_trace_read = _function("plp_trace_read", _result, _handle, c_uint64, POINTER(plp_trace_tick))
+plp_trace_get_contacts = _function("plp_trace_get_contacts", _result, _handle, POINTER(plp_contacts))
+plp_trace_place = _function("plp_trace_place", _result, _handle, c_uint64, _body, _handle, _body)

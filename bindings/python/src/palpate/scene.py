@@ -1,5 +1,6 @@
 """Bodies, one of which is the tool that the hand moves."""
 
+import os
 from collections.abc import Iterable
 from ctypes import byref, c_uint64, sizeof
 from typing import Literal
@@ -13,6 +14,7 @@ from .device import Device, device_mapping
 from .law import Law, law_number
 from .model import Model
 from .pose import Pose, PoseLike, pose_of, pose_struct
+from .recording import Recording, recording, stop_recording
 from .servo import ServoState, servo_options, servo_state
 from .space import Space, space_struct
 
@@ -238,3 +240,18 @@ class Scene(Closing):
     def servo(self) -> ServoState:
         """How the servo runs or, if it was stopped, ran."""
         return servo_state(self._handle)
+
+    def record(self, path: str | os.PathLike[str]) -> None:
+        """Records every step from now on into a file that Trace reads, a servo's too, which never waits for it. Closing the
+        scene ends it."""
+        check(_raw.plp_scene_record(self._handle, os.fsencode(path)))
+
+    def stop_recording(self) -> Recording:
+        """Ends the recording and its file. Raises FileWriteError if something went wrong since it began, such as a full
+        disk: it has ended all the same."""
+        return stop_recording(self._handle)
+
+    @property
+    def recording(self) -> Recording:
+        """How the recording goes."""
+        return recording(self._handle)

@@ -1,0 +1,50 @@
+#include "engine/trace/output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace palpate {
+namespace {
+
+Error failure(ErrorCode code, const std::string& path, int reason) {
+  return {code, path + ": cannot be written: " + std::generic_category().message(reason)};
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::create(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    return failure(errno == ENOENT ? ErrorCode::kFileNotFound : ErrorCode::kFileWrite, path, errno);
+  return OutputFile(path, descriptor);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+OutputFile::~OutputFile() {
+  static_cast<void>(close());
+}
+
+Status OutputFile::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return failure(ErrorCode::kFileWrite, path_, errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return Done{};
+}
+
+// Some file systems tell only here that a disk is full.
+Status OutputFile::close() {
+  if (descriptor_ < 0) return Done{};
+  if (::close(std::exchange(descriptor_, -1)) != 0) return failure(ErrorCode::kFileWrite, path_, errno);
+  return Done{};
+}
+
+}  // namespace palpate
