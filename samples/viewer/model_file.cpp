@@ -1,0 +1,82 @@
+#include "samples/viewer/model_file.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+
+#include "samples/viewer/smooth_normals.h"
+
+namespace palpate::viewer {
+namespace {
+
+using cli::check;
+
+struct Surface {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+Surface surface_of(plp_model model) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  std::size_t vertices = 0, triangles = 0;
+  check(plp_model_get_vertices(model, nullptr, 0, &vertices));
+  check(plp_model_get_triangles(model, nullptr, nullptr, 0, &triangles));
+  Surface surface;
+  surface.vertices.resize(vertices);
+  surface.triangles.resize(triangles);
+  check(plp_model_get_vertices(model, &surface.vertices[0].x, vertices, &vertices));
+  check(plp_model_get_triangles(model, surface.triangles[0].data(), nullptr, triangles, &triangles));
+  return surface;
+}
+
+// A model cannot be scaled: another one is made from its triangles.
+cli::OwnedModel scaled(const cli::OwnedModel& model, double scale) {
+  const Surface surface = surface_of(model.get());
+  plp_triangles triangles;
+  plp_triangles_init(&triangles, sizeof triangles);
+  triangles.positions = surface.vertices.data();
+  triangles.position_type = PLP_TYPE_FLOAT64;
+  triangles.vertex_count = surface.vertices.size();
+  triangles.indices = surface.triangles.data();
+  triangles.triangle_count = surface.triangles.size();
+  triangles.space.metres_per_unit = scale;
+  cli::OwnedModel larger;
+  check(plp_model_create_from_triangles(&triangles, nullptr, larger.receive()));
+  return larger;
+}
+
+cli::OwnedModel load(const std::string& path, double scale) {
+  cli::OwnedModel model;
+  check(plp_model_load_file(path.c_str(), nullptr, model.receive()));
+  return scale == 1.0 ? std::move(model) : scaled(model, scale);
+}
+
+std::vector<Corner> corners_of(const Surface& surface, const Vec3& centre) {
+  const std::vector<glm::vec3> normals = smooth_normals(surface.vertices, surface.triangles);
+  std::vector<Corner> corners;
+  corners.reserve(normals.size());
+  for (const auto& triangle : surface.triangles)
+    for (const std::uint32_t vertex : triangle)
+      corners.push_back({glm::vec3(surface.vertices[vertex] - centre), normals[corners.size()]});
+  return corners;
+}
+
+}  // namespace
+
+ModelFile load_model_file(const std::string& path, double scale) {
+  cli::OwnedModel model = load(path, scale);
+  check(plp_model_prepare(model.get()));
+  plp_model_info info;
+  plp_model_info_init(&info, sizeof info);
+  check(plp_model_get_info(model.get(), &info));
+  const Vec3 low = vector_of(info.bounds_min), high = vector_of(info.bounds_max);
+  std::vector<Corner> corners = corners_of(surface_of(model.get()), 0.5 * (low + high));
+  return {.name = std::filesystem::path(path).filename().string(),
+          .model = std::move(model),
+          .low = low,
+          .high = high,
+          .corners = std::move(corners),
+          .triangles = info.searched.triangles};
+}
+
+}  // namespace palpate::viewer
