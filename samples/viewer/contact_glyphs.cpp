@@ -29,23 +29,25 @@ Colour colour_of_distance(double share) {
 }
 
 void add_contacts(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs) {
+  const double size = std::min(content.scene->diagonal(), content.tool->diagonal());
+  for (const plp_lmd& lmd : state.lmds) add_lmd(lmd, state.cutoff, 0.05 * size, pixel, glyphs);
+}
+
+void add_wrench(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs) {
   constexpr double kMostForce = 8.0;   // N: the arrow is at its longest
   constexpr double kMostTorque = 0.3;  // N·m: the arrow goes round
   constexpr double kWholeTurn = 5.2;   // rad
   const double size = std::min(content.scene->diagonal(), content.tool->diagonal());
-  for (const plp_lmd& lmd : state.lmds)
-    add_lmd(lmd, content.arguments.settings.cutoff, 0.05 * size, pixel, glyphs);
-
   const Vec3 centre = state.tool * content.tool->centre();
   const Vec3 force = vector_of(state.contacts.wrench.force), torque = vector_of(state.contacts.wrench.torque);
   const double newtons = glm::length(force), newton_metres = glm::length(torque);
   if (newtons > 1e-3) {
-    const double length = (0.15 + 0.85 * share_of(newtons, kMostForce)) * size;
-    glyphs.arrow(centre, centre + length / newtons * force, 4.0 * pixel, kForceColour);
+    const double length = (0.25 + 0.75 * share_of(newtons, kMostForce)) * size;
+    glyphs.arrow(centre, centre + length / newtons * force, 3.5 * pixel, kForceColour);
   }
   if (newton_metres > 1e-5) {
     const double angle = (0.15 + 0.85 * share_of(newton_metres, kMostTorque)) * kWholeTurn;
-    glyphs.turn(centre, torque, 0.3 * size, angle, 3.0 * pixel, kTorqueColour);
+    glyphs.turn(centre, torque, 0.28 * size, angle, 3.0 * pixel, kTorqueColour);
   }
 }
 

@@ -6,9 +6,12 @@
 
 namespace palpate::viewer {
 
-// LMDs as lines coloured by distance, their points and normals, and the wrench on the tool as arrows.
-// `pixel` is how large one is at the camera's target, metres.
+// LMDs as lines coloured by distance, with their points and normals. `pixel` is how large one is at the
+// camera's target, metres.
 void add_contacts(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs);
+
+// The force on the tool as an arrow from its middle, and its torque as one around that.
+void add_wrench(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs);
 
 // From red, at no distance, over yellow to green at the cutoff.
 Colour colour_of_distance(double share);

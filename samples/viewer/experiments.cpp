@@ -40,7 +40,7 @@ constexpr Experiment kExperiments[] = {
      {0.4, 0.6, 0},
      0.1,
      MotionKind::kSlide},
-    {"organic", "organic_97k", "organic_2200", 0.4, false, {0, 1, 0}, {0.3, 0, 0.5}, 0.0, MotionKind::kOrbit},
+    {"organic", "organic_97k", "organic_2200", 0.4, false, {0, 1, 0}, {0.3, 0, 0.5}, 0.0, MotionKind::kSlide},
     {"helicopter",
      "helicopter_113k",
      "gear_6k",

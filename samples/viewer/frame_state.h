@@ -19,7 +19,8 @@ struct FrameState {
   std::optional<plp_device_state> device;
   std::optional<plp_device_info> device_info;
   plp_servo_state servo;
-  bool runs;  // its servo
+  double cutoff;  // metres, as it is set now
+  bool runs;      // its servo
   bool paused;
   bool simulated;
   double seconds;

@@ -176,9 +176,13 @@ void draw_left(const PanelView& view, PanelChoices& choices) {
   }
   heading("KEYS");
   coloured(kFaint,
-           "W A S D Q E  move the hand, with Shift turn it\n"
-           "mouse  left: around, right: shift, wheel: nearer; with Ctrl: lead the hand\n"
-           "Space pause   N step   R reset   F screenshot\nC write CSV   G graphs   H panels   Esc quit");
+           "W A S D Q E  move the hand\n"
+           "Shift and these  turn it\n"
+           "left mouse  around   right  shift\n"
+           "wheel  nearer   Ctrl  mouse is the hand\n"
+           "Space  pause   N  step   R  reset\n"
+           "F  screenshot   C  CSV   G  graphs\n"
+           "H  panels   Esc  quit");
   ImGui::End();
 }
 

@@ -51,10 +51,14 @@ void Picture::draw(const Content& content, const Camera& camera, const FrameStat
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   draw_models(content, camera, state, aspect);
   if (state && content.complete()) {
-    Glyphs glyphs(camera.target());
-    add_contacts(*state, content, camera.pixel(height), glyphs);
-    glyph_shader_.draw(glyphs, camera, aspect);
+    Glyphs contacts(camera.target()), arrows(camera.target());
+    add_contacts(*state, content, camera.pixel(height), contacts);
+    add_wrench(*state, content, camera.pixel(height), arrows);
+    glyph_shader_.draw(contacts, camera, aspect);
     draw_ghost(content, camera, *state, aspect);
+    // Nothing hides what is felt.
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glyph_shader_.draw(arrows, camera, aspect);
   }
   canvas_.finish(framebuffer);
 }

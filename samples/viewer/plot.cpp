@@ -29,27 +29,34 @@ std::string text_of(double value, const char* unit) {
   return text;
 }
 
+// The ticks from here on are plotted.
+std::size_t first_shown(const History& history) {
+  std::size_t first = history.size();
+  while (first > 0 && history.newest().seconds - history[first - 1].seconds <= kSeconds) --first;
+  return first;
+}
+
 std::vector<ImVec2> outline(const Quantity& quantity, const History& history, ImVec2 corner, ImVec2 size,
                             double scale) {
   std::vector<ImVec2> points;
-  if (history.size() == 0) return points;
-  const double end = history.newest().seconds;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double share = 1.0 - (end - history[i].seconds) / kSeconds;
-    if (share < 0.0) continue;
-    const double value = std::clamp(quantity.of(history[i]) / scale, 0.0, 1.0);
+  for (std::size_t i = first_shown(history); i < history.size(); ++i) {
+    const double share = 1.0 - (history.newest().seconds - history[i].seconds) / kSeconds;
+    const double value = std::min(1.0, quantity.of(history[i]) / scale);
     points.emplace_back(corner.x + static_cast<float>(share) * size.x,
                         corner.y + size.y - static_cast<float>(value) * (size.y - 2.0f));
   }
   return points;
 }
 
+// Few ticks exceed it: a single late one must not flatten all others.
 double most_of(const Quantity& quantity, const History& history) {
-  double most = 0.0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (history.newest().seconds - history[i].seconds <= kSeconds)
-      most = std::max(most, quantity.of(history[i]));
-  return most;
+  std::vector<double> values;
+  for (std::size_t i = first_shown(history); i < history.size(); ++i)
+    values.push_back(quantity.of(history[i]));
+  if (values.empty()) return 0.0;
+  const auto high = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 997 / 1000);
+  std::nth_element(values.begin(), high, values.end());
+  return *high;
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ class Rig {
 
   void apply(const Settings& settings);
 
+  const Settings& settings() const { return settings_; }
+
   // A thousand ticks a second beside the caller, or one by the caller.
   void start();
   void stop();

@@ -42,6 +42,7 @@ FrameState Session::state() const {
   if (rig_.has_device()) state.device = rig_.device_state();
   if (rig_.has_device()) state.device_info = rig_.device_info();
   state.servo = rig_.servo();
+  state.cutoff = rig_.settings().cutoff;
   state.runs = rig_.runs();
   state.paused = paused_;
   state.simulated = rig_.has_simulated_hand();

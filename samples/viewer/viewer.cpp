@@ -132,11 +132,27 @@ void Viewer::take_up(Content content) {
   arguments_ = content.arguments;
   content_ = std::make_shared<const Content>(std::move(content));
   picture_.show(*content_);
-  const ModelFile* shown = content_->scene ? content_->scene.get() : content_->tool.get();
-  if (shown) camera_.look_at(shown->centre(), 0.62 * shown->diagonal(), arguments_.up);
+  look_at_all();
   choices_.settings = arguments_.settings;
   choices_.motion = arguments_.motion;
   if (content_->complete()) begin_session();
+}
+
+void Viewer::look_at_all() {
+  if (!content_->scene) {
+    if (content_->tool)
+      camera_.look_at(content_->tool->centre(), 0.5 * content_->tool->diagonal(), arguments_.up);
+    return;
+  }
+  const Vec3 scene = content_->scene->centre();
+  const double radius = 0.5 * content_->scene->diagonal();
+  if (!content_->complete()) return camera_.look_at(scene, radius, arguments_.up);
+  // The ball around the balls of both, half way between their middles as far as they differ in size.
+  const Vec3 tool = content_->place.contact * content_->tool->centre();
+  const double apart = glm::length(tool - scene), other = 0.5 * content_->tool->diagonal();
+  const double reach = std::max(0.0, apart + other - radius);
+  const Vec3 towards = apart > 0.0 ? (tool - scene) / apart : Vec3(0.0);
+  camera_.look_at(scene + 0.5 * reach * towards, 0.95 * (radius + 0.5 * reach), arguments_.up);
 }
 
 void Viewer::begin_session() {

@@ -38,6 +38,7 @@ class Viewer {
  private:
   void load(const Arguments& arguments);
   void take_up(Content content);
+  void look_at_all();
   void begin_session();
   void poll_loading();
   void take_input(const Input& input, double seconds);

@@ -1,0 +1,143 @@
+"""The viewer in a real window, on a display of its own: keys move the tool, a slider changes the stiffness, a key ends
+it."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from png import Picture, is_hue
+from viewer_run import LEFT_PANEL, MODELS, RIGHT_PANEL, VIEWER, skip
+
+WIDTH, HEIGHT = 960, 600
+TOOL_HUE = (25, 42, 0.6)
+PATIENCE = 60.0  # s
+
+
+class Display:
+    """An X server without a screen."""
+
+    def __init__(self):
+        numbers, write = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten",
+                                        "tcp"], pass_fds=(write,), stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(numbers) as pipe:
+            self.name = f":{pipe.readline().strip()}"
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="palpate-window-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        display = Display()
+        self.addCleanup(display.close)
+        self.environment = dict(os.environ, DISPLAY=display.name)
+        self.environment.pop("WAYLAND_DISPLAY", None)
+
+    def start(self, *arguments):
+        viewer = subprocess.Popen([VIEWER, *map(str, arguments)], env=self.environment, cwd=self.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(viewer.communicate)
+        self.addCleanup(viewer.kill)
+        return viewer
+
+    def xdotool(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True,
+                              text=True, timeout=30).stdout.strip()
+
+    def wait(self, what, condition):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            outcome = condition()
+            if outcome:
+                return outcome
+            time.sleep(0.1)
+        self.fail(f"{what} did not come about")
+
+    def focus(self):
+        window = self.wait("a window", lambda: self.xdotool("search", "--name", "^Palpate$")).split()[0]
+        self.xdotool("windowmove", window, 0, 0)
+        self.xdotool("windowfocus", window)
+
+    def press(self, key):
+        # Longer than a frame may take, so that no press is lost between two.
+        self.xdotool("keydown", key)
+        time.sleep(0.2)
+        self.xdotool("keyup", key)
+
+    def picture(self):
+        path = self.folder / "palpate-viewer.png"
+        path.unlink(missing_ok=True)
+        self.press("f")
+        self.wait("a screenshot", lambda: path.exists() and path.read_bytes().endswith(b"IEND\xaeB`\x82"))
+        return Picture(path)
+
+    def tool_middle(self, picture):
+        places = [(x, y) for x, y, colour in picture.pixels(LEFT_PANEL, 0, WIDTH - RIGHT_PANEL, HEIGHT)
+                  if is_hue(colour, *TOOL_HUE)]
+        return len(places), sum(x for x, _ in places) / max(1, len(places))
+
+    def test_keys_move_the_tool_and_a_slider_the_stiffness(self):
+        viewer = self.start(f"{MODELS}/box.glb", f"{MODELS}/icosphere.glb", "--size", WIDTH, HEIGHT)
+        self.focus()
+        before = self.wait("the tool", lambda: self.shown())
+        self.xdotool("keydown", "d")
+        time.sleep(1.5)
+        self.xdotool("keyup", "d")
+        after = self.picture()
+        self.assertEqual((after.width, after.height), (WIDTH, HEIGHT))
+        self.assertGreater(self.tool_middle(after)[1], self.tool_middle(before)[1] + 10)
+
+        stiffness = (12, 313, 160, 335)  # the slider's place in the panel
+        self.xdotool("mousemove", 130, 324, "mousedown", 1)
+        time.sleep(0.5)
+        self.xdotool("mouseup", 1)
+        changed = self.picture()
+        self.assertNotEqual(list(after.pixels(*stiffness)), list(changed.pixels(*stiffness)))
+        self.press("c")
+        log = self.folder / "palpate-viewer.csv"
+        self.wait("a log", lambda: log.exists() and log.stat().st_size > 0)
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
+
+    def shown(self):
+        """A picture once the models are loaded."""
+        picture = self.picture()
+        return picture if self.tool_middle(picture)[0] > 500 else None
+
+    def test_a_missing_file_is_told_and_the_window_stays(self):
+        viewer = self.start(self.folder / "no_such.glb", "--size", WIDTH, HEIGHT)
+        self.focus()
+        picture = self.picture()
+        self.assertIsNone(viewer.poll())
+        red = sum(is_hue(colour, 0, 12, 0.45) for _, _, colour in
+                  picture.pixels(LEFT_PANEL, HEIGHT - 80, WIDTH, HEIGHT))
+        self.assertGreater(red, 40)
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
+        self.assertRegex(viewer.stderr.read(), r"^palpate-viewer: [^\n]*no_such\.glb[^\n]*\n$")
+
+
+class NoDisplay(unittest.TestCase):
+    def test_without_a_display_one_sentence_says_so(self):
+        environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        done = subprocess.run([VIEWER], env=environment, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^palpate-viewer: [^\n]*--headless[^\n]*\n$")
+
+
+if __name__ == "__main__":
+    for program in ("Xvfb", "xdotool"):
+        if not shutil.which(program):
+            skip(f"{program} is not installed")
+    unittest.main(verbosity=2)
