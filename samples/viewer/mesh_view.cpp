@@ -45,9 +45,10 @@ void main() {
 }  // namespace
 
 MeshView::MeshView(const ModelFile& file)
-    : centre_(file.centre()), count_(static_cast<GLsizei>(file.corners.size())) {
+    : centre_(file.centre()), count_(static_cast<GLsizei>(file.triangles.size())) {
   glGenVertexArrays(1, &layout_);
   glGenBuffers(1, &vertices_);
+  glGenBuffers(1, &indices_);
   glBindVertexArray(layout_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   const auto bytes = static_cast<GLsizeiptr>(file.corners.size() * sizeof(Corner));
@@ -57,16 +58,20 @@ MeshView::MeshView(const ModelFile& file)
   glEnableVertexAttribArray(1);
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
                         reinterpret_cast<const void*>(offsetof(Corner, normal)));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  const auto index_bytes = static_cast<GLsizeiptr>(file.triangles.size() * sizeof(file.triangles[0]));
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes, file.triangles.data(), GL_STATIC_DRAW);
 }
 
 MeshView::~MeshView() {
   glDeleteBuffers(1, &vertices_);
+  glDeleteBuffers(1, &indices_);
   glDeleteVertexArrays(1, &layout_);
 }
 
 void MeshView::draw() const {
   glBindVertexArray(layout_);
-  glDrawArrays(GL_TRIANGLES, 0, count_);
+  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
 }
 
 MeshShader::MeshShader() : shader_(kVertex, kFragment) {}

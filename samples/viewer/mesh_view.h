@@ -20,6 +20,7 @@ class MeshView {
  private:
   Vec3 centre_;
   GLuint vertices_ = 0;
+  GLuint indices_ = 0;
   GLuint layout_ = 0;
   GLsizei count_;
 };

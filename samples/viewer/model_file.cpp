@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <utility>
 
 #include "samples/viewer/smooth_normals.h"
 
@@ -51,15 +52,37 @@ cli::OwnedModel load(const std::string& path, double scale) {
   return scale == 1.0 ? std::move(model) : scaled(model, scale);
 }
 
-std::vector<Corner> corners_of(const Surface& surface, const Vec3& centre) {
-  const std::vector<glm::vec3> normals = smooth_normals(surface.vertices, surface.triangles);
+// Gives each vertex as many corners as it has normals.
+class Corners {
+ public:
+  Corners(const Surface& surface, const Vec3& centre) : first_(surface.vertices.size(), kNone) {
+    const std::vector<glm::vec3> normals = smooth_normals(surface.vertices, surface.triangles);
+    indices.reserve(normals.size());
+    for (const auto& triangle : surface.triangles)
+      for (const std::uint32_t vertex : triangle) {
+        const glm::vec3& normal = normals[indices.size()];
+        indices.push_back(corner_of(vertex, {glm::vec3(surface.vertices[vertex] - centre), normal}));
+      }
+  }
+
   std::vector<Corner> corners;
-  corners.reserve(normals.size());
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t vertex : triangle)
-      corners.push_back({glm::vec3(surface.vertices[vertex] - centre), normals[corners.size()]});
-  return corners;
-}
+  std::vector<std::uint32_t> indices;
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  std::uint32_t corner_of(std::uint32_t vertex, const Corner& wanted) {
+    for (std::uint32_t i = first_[vertex]; i != kNone; i = next_[i])
+      if (corners[i].normal == wanted.normal) return i;
+    const auto added = static_cast<std::uint32_t>(corners.size());
+    corners.push_back(wanted);
+    next_.push_back(std::exchange(first_[vertex], added));
+    return added;
+  }
+
+  std::vector<std::uint32_t> first_;  // by vertex: its newest corner
+  std::vector<std::uint32_t> next_;   // by corner: an older one of its vertex
+};
 
 }  // namespace
 
@@ -70,13 +93,13 @@ ModelFile load_model_file(const std::string& path, double scale) {
   plp_model_info_init(&info, sizeof info);
   check(plp_model_get_info(model.get(), &info));
   const Vec3 low = vector_of(info.bounds_min), high = vector_of(info.bounds_max);
-  std::vector<Corner> corners = corners_of(surface_of(model.get()), 0.5 * (low + high));
+  Corners drawn(surface_of(model.get()), 0.5 * (low + high));
   return {.name = std::filesystem::path(path).filename().string(),
           .model = std::move(model),
           .low = low,
           .high = high,
-          .corners = std::move(corners),
-          .triangles = info.searched.triangles};
+          .corners = std::move(drawn.corners),
+          .triangles = std::move(drawn.indices)};
 }
 
 }  // namespace palpate::viewer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace palpate::viewer {
 
-// One corner of a triangle as it is drawn.
+// A corner as it is drawn: a vertex, and one of the normals that it has where surfaces meet at an edge.
 struct Corner {
   glm::vec3 position;  // from the model's centre, metres
   glm::vec3 normal;
@@ -20,7 +21,9 @@ struct ModelFile {
   cli::OwnedModel model;
   Vec3 low, high;  // metres
   std::vector<Corner> corners;
-  std::size_t triangles;
+  std::vector<std::uint32_t> triangles;  // three corners of each
+
+  std::size_t triangle_count() const { return triangles.size() / 3; }
 
   Vec3 centre() const { return 0.5 * (low + high); }
   double diagonal() const { return glm::length(high - low); }

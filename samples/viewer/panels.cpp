@@ -61,7 +61,7 @@ void draw_models(const PanelView& view, PanelChoices& choices) {
   model_row("scene", view.content.scene.get());
   model_row("tool", view.content.tool.get());
   if (view.content.complete())
-    row("triangles", "%zu + %zu", view.content.scene->triangles, view.content.tool->triangles);
+    row("triangles", "%zu + %zu", view.content.scene->triangle_count(), view.content.tool->triangle_count());
   ImGui::TextUnformatted("a dropped file is");
   ImGui::SameLine();
   if (ImGui::RadioButton("scene", !choices.drop_is_tool)) choices.drop_is_tool = false;
