@@ -30,7 +30,7 @@ class Camera {
   double radius_ = 1.0;
   double distance_ = 1.0;
   double around_ = 0.5;  // rad
-  double over_ = 0.45;   // rad
+  double over_ = 0.30;   // rad
 };
 
 }  // namespace palpate::viewer

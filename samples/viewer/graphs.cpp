@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <span>
+#include <string_view>
 
 #include "samples/cli/failure.h"
 #include "samples/cli/percentile.h"
@@ -67,13 +68,28 @@ std::vector<Point> thinned(const std::vector<Point>& points, double seconds) {
   return kept;
 }
 
-std::string summary_of(const std::vector<Point>& points, const char* unit) {
-  if (points.empty()) return "none";
+std::string number(double value) {
+  return text(value >= 100.0 ? "%.0f" : "%.3g", value);
+}
+
+std::vector<double> ascending(const std::vector<Point>& points) {
   std::vector<double> values;
   for (const Point& point : points) values.push_back(point.value);
   std::sort(values.begin(), values.end());
-  return text("median %.3g, p99 %.3g, most %.3g %s", cli::percentile(values, 0.5),
-              cli::percentile(values, 0.99), values.back(), unit);
+  return values;
+}
+
+std::string summary_of(const std::vector<double>& values, const char* unit) {
+  if (values.empty()) return "none";
+  return "median " + number(cli::percentile(values, 0.5)) + ", p99 " + number(cli::percentile(values, 0.99)) +
+         ", most " + number(values.back()) + " " + unit;
+}
+
+// How high a graph is. A processor that was away for a while makes a few ticks long beyond all measure: they
+// go over the top, and are told in the summary.
+double height_of(const std::vector<double>& values, bool are_times) {
+  if (values.empty()) return 1.0;
+  return rounded_up(are_times ? std::min(values.back(), 2.5 * cli::percentile(values, 0.9)) : values.back());
 }
 
 // One graph with its corner at `left` and `top`.
@@ -88,7 +104,7 @@ class Graph {
     for (int i = 0; i <= 2; ++i) {
       const double y = top_ + kPlotHeight * (1.0 - 0.5 * i);
       out_ << text("<path d=\"M%.1f %.1fh%.1f\" stroke=\"#d0d7de\"/>\n", left_, y, kPlotWidth);
-      write_text(left_ - 6.0, y + 4.0, "end", 11, "#30363d", text("%.3g", 0.5 * i * most_));
+      write_text(left_ - 6.0, y + 4.0, "end", 11, "#30363d", number(0.5 * i * most_));
     }
     for (int i = 0; i <= 4; ++i) {
       const double x = left_ + 0.25 * i * kPlotWidth;
@@ -100,7 +116,7 @@ class Graph {
     out_ << "<polyline fill=\"none\" stroke=\"" << colour << "\" stroke-width=\"1.1\" points=\"";
     for (const Point& point : points)
       out_ << text("%.1f,%.1f ", left_ + point.seconds / seconds_ * kPlotWidth,
-                   top_ + kPlotHeight * (1.0 - point.value / most_));
+                   top_ + kPlotHeight * (1.0 - std::min(1.0, point.value / most_)));
     out_ << "\"/>\n";
   }
 
@@ -124,12 +140,12 @@ void write_graph(std::size_t i, const std::vector<cli::Tick>& ticks, std::ostrea
   const bool searches = i == 2;
   const std::vector<Point> points = points_of(quantity, ticks, searches);
   const double seconds = std::max(1e-3, ticks.back().seconds - ticks.front().seconds);
-  double most = 0.0;
-  for (const Point& point : points) most = std::max(most, point.value);
+  const std::vector<double> values = ascending(points);
+  const bool are_times = quantity.unit == std::string_view("us");
   const double left = 60.0 + 480.0 * static_cast<double>(i % 2),
                top = 95.0 + 250.0 * static_cast<double>(i / 2);
-  const Graph graph(left, top, seconds, rounded_up(most), out);
-  graph.frame(kCaptions[i], summary_of(points, quantity.unit));
+  const Graph graph(left, top, seconds, height_of(values, are_times), out);
+  graph.frame(kCaptions[i], summary_of(values, quantity.unit));
   graph.line(thinned(points, seconds), kColours[i]);
 }
 

@@ -52,7 +52,7 @@ void row(const char* name, const char* format, Arguments... arguments) {
 }
 
 void model_row(const char* role, const ModelFile* file) {
-  if (!file) return row(role, "%s", "drop a glTF file");
+  if (!file) return row(role, "%s", "none yet");
   row(role, "%s", file->name.c_str());
 }
 
@@ -62,7 +62,15 @@ void draw_models(const PanelView& view, PanelChoices& choices) {
   model_row("tool", view.content.tool.get());
   if (view.content.complete())
     row("triangles", "%zu + %zu", view.content.scene->triangle_count(), view.content.tool->triangle_count());
-  ImGui::TextUnformatted("a dropped file is");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::InputTextWithHint("##path", "drop a file on the window, or type its path",
+                               choices.typed_path.data(), choices.typed_path.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
+    choices.opened = choices.typed_path.data();
+    choices.typed_path = {};
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("it becomes the");
   ImGui::SameLine();
   if (ImGui::RadioButton("scene", !choices.drop_is_tool)) choices.drop_is_tool = false;
   ImGui::SameLine();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct PanelChoices {
   bool motion_chosen = false;
   std::string device;  // another URI, if one was chosen
   bool drop_is_tool = false;
+  std::array<char, 1024> typed_path{};
+  std::string opened;  // a path, once it is typed
 };
 
 struct PanelView {

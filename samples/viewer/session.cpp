@@ -11,14 +11,14 @@ Session::Session(std::shared_ptr<const Content> content, std::size_t remembered)
 
 void Session::advance() {
   if (paused_) return;
-  if (rig_.runs()) return remember(rig_.contacts().search_us);
+  if (rig_.runs()) return remember();
   for (unsigned i = 0; i < content_->arguments.ticks_per_frame && !finished(); ++i) step();
 }
 
 void Session::step() {
   hand_.before_step(ticks_);
   rig_.step();
-  remember(rig_.step_us());
+  remember();
   ++ticks_;
 }
 
@@ -50,7 +50,7 @@ FrameState Session::state() const {
   return state;
 }
 
-void Session::remember(double local_us) {
+void Session::remember() {
   const plp_contacts contacts = rig_.contacts();
   cli::Tick tick{};
   tick.seconds = rig_.seconds();
@@ -58,7 +58,8 @@ void Session::remember(double local_us) {
   tick.lmds = contacts.set_count;
   tick.min_distance = contacts.min_distance;
   tick.wrench = contacts.wrench;
-  tick.local_us = local_us;
+  // With a device a step does more than to find its wrench: it simulates a hand, or talks to a driver.
+  tick.local_us = rig_.has_device() ? contacts.search_us : rig_.step_us();
   tick.work = contacts.work;
   tick.overlap = contacts.overlap != 0;
   history_.add(tick);

@@ -26,7 +26,7 @@ class Session {
   FrameState state() const;
 
  private:
-  void remember(double local_us);
+  void remember();
 
   std::shared_ptr<const Content> content_;
   Rig rig_;

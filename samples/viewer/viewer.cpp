@@ -82,8 +82,13 @@ void Viewer::write_log(const std::string& path) const {
 }
 
 void Viewer::write_graphs(const std::string& path) const {
-  const Content& content = *content_;
-  viewer::write_graphs(path, content.scene->name + " and " + content.tool->name, ticks());
+  constexpr const char* kModes[] = {"global", "descent", "certified"};
+  constexpr const char* kLaws[] = {"springs", "smooth"};
+  const Settings& settings = session_->rig().settings();
+  std::array<char, 128> how{};
+  std::snprintf(how.data(), how.size(), ": %s, %s, cutoff %.2g mm, %g N/m", kModes[settings.mode],
+                kLaws[settings.law], 1e3 * settings.cutoff, settings.stiffness);
+  viewer::write_graphs(path, content_->scene->name + " and " + content_->tool->name + how.data(), ticks());
 }
 
 std::string Viewer::summary() const {
@@ -152,7 +157,7 @@ void Viewer::look_at_all() {
   const double apart = glm::length(tool - scene), other = 0.5 * content_->tool->diagonal();
   const double reach = std::max(0.0, apart + other - radius);
   const Vec3 towards = apart > 0.0 ? (tool - scene) / apart : Vec3(0.0);
-  camera_.look_at(scene + 0.5 * reach * towards, 0.95 * (radius + 0.5 * reach), arguments_.up);
+  camera_.look_at(scene + 0.5 * reach * towards, 1.03 * (radius + 0.5 * reach), arguments_.up);
 }
 
 void Viewer::begin_session() {
@@ -188,8 +193,7 @@ void Viewer::lead_hand(const Input& input, double seconds) {
 }
 
 void Viewer::take_dropped(const std::string& path) {
-  Arguments arguments = content_->arguments;
-  if (arguments.title.empty() || loading_) arguments = arguments_;
+  Arguments arguments = arguments_;
   (choices_.drop_is_tool ? arguments.tool : arguments.scene) = path;
   if (choices_.drop_is_tool) arguments.tool_scale = 1.0;
   // What was chosen for other models does not fit these.
@@ -202,6 +206,7 @@ void Viewer::take_dropped(const std::string& path) {
 }
 
 void Viewer::take_choices() {
+  if (!choices_.opened.empty()) take_dropped(std::exchange(choices_.opened, ""));
   if (!session_) return choices_.commands.clear();
   session_->rig().apply(choices_.settings);
   if (std::exchange(choices_.motion_chosen, false)) session_->hand().begin(choices_.motion);

@@ -98,8 +98,8 @@ class Window(unittest.TestCase):
         self.assertEqual((after.width, after.height), (WIDTH, HEIGHT))
         self.assertGreater(self.tool_middle(after)[1], self.tool_middle(before)[1] + 10)
 
-        stiffness = (12, 313, 160, 335)  # the slider's place in the panel
-        self.xdotool("mousemove", 130, 324, "mousedown", 1)
+        stiffness = (12, 340, 160, 358)  # the slider's place in the panel
+        self.xdotool("mousemove", 130, 349, "mousedown", 1)
         time.sleep(0.5)
         self.xdotool("mouseup", 1)
         changed = self.picture()
@@ -114,6 +114,19 @@ class Window(unittest.TestCase):
         """A picture once the models are loaded."""
         picture = self.picture()
         return picture if self.tool_middle(picture)[0] > 500 else None
+
+    def test_files_are_opened_by_their_paths(self):
+        viewer = self.start("--size", WIDTH, HEIGHT)
+        self.focus()
+        self.picture()
+        for name in ("box.glb", "icosphere.glb"):
+            self.xdotool("mousemove", 100, 76, "click", 1)
+            time.sleep(0.3)
+            self.xdotool("type", "--delay", 30, f"{MODELS}/{name}")
+            self.press("Return")
+        self.wait("the tool", lambda: self.shown())
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
 
     def test_a_missing_file_is_told_and_the_window_stays(self):
         viewer = self.start(self.folder / "no_such.glb", "--size", WIDTH, HEIGHT)
