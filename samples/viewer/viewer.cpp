@@ -127,7 +127,11 @@ void Viewer::poll_loading() {
   } catch (const cli::Failure&) {
     // What was there before stays.
     loading_.reset();
-    arguments_ = content_->arguments;
+    const Arguments& before = content_->arguments;
+    arguments_.scene = before.scene;
+    arguments_.tool = before.tool;
+    arguments_.tool_scale = before.tool_scale;
+    choices_.drop_is_tool = content_->scene != nullptr;
     throw;
   }
 }
@@ -167,7 +171,14 @@ void Viewer::begin_session() {
 }
 
 void Viewer::take_input(const Input& input, double seconds) {
-  for (const std::string& path : input.dropped) take_dropped(path);
+  pending_.insert(pending_.end(), input.dropped.begin(), input.dropped.end());
+  if (!choices_.opened.empty()) pending_.push_back(std::exchange(choices_.opened, ""));
+  // One after the other, so that each finds what those before it became.
+  if (!loading_ && !pending_.empty()) {
+    const std::string path = pending_.front();
+    pending_.erase(pending_.begin());
+    take_dropped(path);
+  }
   if (input.orbit) camera_.orbit(input.mouse);
   if (input.pan) camera_.pan(input.mouse, arguments_.height);
   if (!input.lead) camera_.zoom(input.wheel);
@@ -206,18 +217,20 @@ void Viewer::take_dropped(const std::string& path) {
 }
 
 void Viewer::take_choices() {
-  if (!choices_.opened.empty()) take_dropped(std::exchange(choices_.opened, ""));
+  if (!choices_.device.empty() && !loading_) change_device(std::exchange(choices_.device, ""));
   if (!session_) return choices_.commands.clear();
   session_->rig().apply(choices_.settings);
   if (std::exchange(choices_.motion_chosen, false)) session_->hand().begin(choices_.motion);
-  if (!choices_.device.empty()) {
-    Arguments arguments = content_->arguments;
-    arguments.device = std::exchange(choices_.device, "");
-    arguments.stepped = arguments.headless;
-    arguments.settings = choices_.settings;
-    load(arguments);
-  }
   for (const Command command : std::exchange(choices_.commands, {})) execute(command);
+}
+
+void Viewer::change_device(const std::string& uri) {
+  session_.reset();  // gives the one that it has back
+  Arguments arguments = content_->arguments;
+  arguments.device = uri;
+  arguments.stepped = arguments.headless;
+  arguments.settings = choices_.settings;
+  load(arguments);
 }
 
 void Viewer::execute(Command command) {
@@ -263,7 +276,8 @@ std::vector<cli::Tick> Viewer::ticks() const {
 }
 
 void Viewer::tell(std::string message, bool is_error) {
-  if (is_error) std::cerr << "palpate-viewer: " << message << '\n';
+  // Once: what fails in every frame fails sixty times a second.
+  if (is_error && message != message_) std::cerr << "palpate-viewer: " << message << '\n';
   message_ = std::move(message);
   message_is_error_ = is_error;
 }

@@ -45,6 +45,7 @@ class Viewer {
   void lead_hand(const Input& input, double seconds);
   void take_dropped(const std::string& path);
   void take_choices();
+  void change_device(const std::string& uri);
   void execute(Command command);
   void execute_on_session(Command command);
   std::vector<cli::Tick> ticks() const;
@@ -57,6 +58,7 @@ class Viewer {
   Picture picture_;
   Camera camera_;
   PanelChoices choices_;
+  std::vector<std::string> pending_;  // dropped paths that wait for what is being loaded
   bool panels_ = true;
   bool quit_ = false;
   bool screenshot_ = false;

@@ -128,6 +128,14 @@ class Window(unittest.TestCase):
         self.press("Escape")
         self.assertEqual(viewer.wait(PATIENCE), 0)
 
+    def test_a_device_that_is_not_there_is_told(self):
+        viewer = self.start(f"{MODELS}/box.glb", f"{MODELS}/icosphere.glb", "--device", "sim:nothing")
+        self.focus()
+        self.wait("the tool", lambda: self.shown())
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
+        self.assertRegex(viewer.stderr.read(), r"^palpate-viewer: [^\n]*sim:nothing[^\n]*\n$")
+
     def test_a_missing_file_is_told_and_the_window_stays(self):
         viewer = self.start(self.folder / "no_such.glb", "--size", WIDTH, HEIGHT)
         self.focus()
