@@ -45,14 +45,12 @@ void Viewer::wait_until_loaded() {
 }
 
 void Viewer::update(const Input& input, double seconds) {
-  try {
-    poll_loading();
-    take_input(input, seconds);
+  // What fails keeps nothing else from being done, least of all what a person asks for.
+  attempt([&] { poll_loading(); });
+  attempt([&] { take_input(input, seconds); });
+  attempt([&] {
     if (session_) session_->advance();
-  } catch (const cli::Failure& failure) {
-    if (arguments_.headless) throw;
-    tell(failure.what(), true);
-  }
+  });
 }
 
 void Viewer::draw(int width, int height, GLuint framebuffer) {
@@ -273,6 +271,15 @@ std::vector<cli::Tick> Viewer::ticks() const {
   const History& history = session_->history();
   for (std::size_t i = 0; i < history.size(); ++i) ticks.push_back(history[i]);
   return ticks;
+}
+
+void Viewer::attempt(const std::function<void()>& what) {
+  try {
+    what();
+  } catch (const cli::Failure& failure) {
+    if (arguments_.headless) throw;
+    tell(failure.what(), true);
+  }
 }
 
 void Viewer::tell(std::string message, bool is_error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -49,6 +50,7 @@ class Viewer {
   void execute(Command command);
   void execute_on_session(Command command);
   std::vector<cli::Tick> ticks() const;
+  void attempt(const std::function<void()>& what);  // tells why it fails
   void tell(std::string message, bool is_error = false);
 
   Arguments arguments_;

@@ -46,11 +46,11 @@ class Picture:
             above = _unfiltered(flat[begin], bytearray(flat[begin + 1:begin + 1 + size]), above, 3)
             self.rows.append(above)
 
-    def pixels(self, left, top, right, bottom):
-        """x, y and the colour of each pixel within."""
-        for y in range(top, bottom):
+    def pixels(self, left, top, right, bottom, step=1):
+        """x, y and the colour of each pixel within, or of those `step` apart."""
+        for y in range(top, bottom, step):
             row = self.rows[y]
-            for x in range(left, right):
+            for x in range(left, right, step):
                 yield x, y, tuple(row[3 * x:3 * x + 3])
 
 
