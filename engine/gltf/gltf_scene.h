@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/gltf/load_tally.h"
 #include "engine/math/vector.h"
 #include "engine/mesh/triangle_soup.h"
 
@@ -23,6 +24,7 @@ struct GltfScene {
   std::vector<TriangleSoup> meshes;
   std::vector<GltfInstance> instances;
   std::vector<std::string> notes;  // what was skipped, a sentence each
+  LoadTally tally;
 };
 
 // All instances in one soup, in the scene's frame. Mirrored instances have their winding turned.

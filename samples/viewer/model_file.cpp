@@ -30,26 +30,13 @@ Surface surface_of(plp_model model) {
   return surface;
 }
 
-// A model cannot be scaled: another one is made from its triangles.
-cli::OwnedModel scaled(const cli::OwnedModel& model, double scale) {
-  const Surface surface = surface_of(model.get());
-  plp_triangles triangles;
-  plp_triangles_init(&triangles, sizeof triangles);
-  triangles.positions = surface.vertices.data();
-  triangles.position_type = PLP_TYPE_FLOAT64;
-  triangles.vertex_count = surface.vertices.size();
-  triangles.indices = surface.triangles.data();
-  triangles.triangle_count = surface.triangles.size();
-  triangles.space.metres_per_unit = scale;
-  cli::OwnedModel larger;
-  check(plp_model_create_from_triangles(&triangles, nullptr, larger.receive()));
-  return larger;
-}
-
 cli::OwnedModel load(const std::string& path, double scale) {
+  plp_model_options options;
+  plp_model_options_init(&options, sizeof options);
+  options.scale = scale;
   cli::OwnedModel model;
-  check(plp_model_load_file(path.c_str(), nullptr, model.receive()));
-  return scale == 1.0 ? std::move(model) : scaled(model, scale);
+  check(plp_model_load_file(path.c_str(), &options, model.receive()));
+  return model;
 }
 
 // Gives each vertex as many corners as it has normals.
