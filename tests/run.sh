@@ -47,7 +47,8 @@ test_preset() {
       --output-junit "$PWD/$report" "${ctest_arguments[@]}"
 }
 
-if ! install_missing "${palpate_build_packages[@]}" "${palpate_test_packages[@]}"; then
+if ! install_missing "${palpate_build_packages[@]}" "${palpate_viewer_packages[@]}" \
+    "${palpate_test_packages[@]}"; then
   echo "0 passed, 1 failed, 0 skipped"
   exit 1
 fi

@@ -224,5 +224,89 @@ TEST_F(Triangles, NotesSayWhatWasRepaired) {
   EXPECT_EQ(plp_model_note(model.handle, info.note_count), nullptr);
 }
 
+// What plp_model_get_vertices and plp_model_get_triangles tell of a model.
+struct Copied {
+  std::vector<std::array<double, 3>> positions;
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<std::uint32_t> sources;
+
+  explicit Copied(plp_model model) {
+    std::size_t vertices = 0, triangles = 0;
+    EXPECT_EQ(plp_model_get_vertices(model, nullptr, 0, &vertices), PLP_OK);
+    EXPECT_EQ(plp_model_get_triangles(model, nullptr, nullptr, 0, &triangles), PLP_OK);
+    positions.resize(vertices);
+    corners.resize(triangles);
+    sources.resize(triangles);
+    EXPECT_EQ(plp_model_get_vertices(model, positions[0].data(), vertices, &vertices), PLP_OK);
+    EXPECT_EQ(plp_model_get_triangles(model, corners[0].data(), sources.data(), triangles, &triangles),
+              PLP_OK);
+  }
+};
+
+TEST_F(Triangles, ComeBackAsTheyAreSearched) {
+  // A soup far from the origin, inside out: it comes back welded and turned.
+  Shape soup;
+  for (const auto& triangle : box_.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    for (const std::uint32_t corner : triangle) soup.positions.push_back(box_.positions[corner]);
+    soup.triangles.push_back({first, first + 2, first + 1});
+  }
+  for (auto& position : soup.positions) position[0] += 1000.0f;
+  const TestModel model(soup);
+  const Copied copied(model.handle);
+  ASSERT_EQ(copied.positions.size(), 8u);
+  ASSERT_EQ(copied.corners.size(), 12u);
+  for (const auto& [x, y, z] : copied.positions) {
+    EXPECT_EQ(std::abs(x - 1000.0), 1.0);
+    EXPECT_EQ(std::abs(y), 2.0);
+    EXPECT_EQ(std::abs(z), 3.0);
+  }
+  for (std::size_t i = 0; i < copied.corners.size(); ++i) {
+    const auto at = [&](int k) { return copied.positions[copied.corners[i][k]]; };
+    const auto a = at(0), b = at(1), c = at(2);
+    double volume = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3, m = (k + 2) % 3;
+      const double shift = k == 0 ? 1000.0 : 0.0;
+      volume += (a[k] - shift) * ((b[l] - a[l]) * (c[m] - a[m]) - (b[m] - a[m]) * (c[l] - a[l]));
+    }
+    EXPECT_GT(volume, 0.0);
+    const auto& given = soup.triangles[copied.sources[i]];
+    EXPECT_EQ(soup.positions[given[0]][1] + soup.positions[given[1]][1] + soup.positions[given[2]][1],
+              a[1] + b[1] + c[1]);
+  }
+}
+
+TEST_F(Triangles, NoMoreAreWrittenThanFit) {
+  const TestModel model(triangles_);
+  constexpr double kUntouched = 77.0;
+  std::array<double, 9> positions;
+  positions.fill(kUntouched);
+  std::size_t count = 0;
+  EXPECT_EQ(plp_model_get_vertices(model.handle, positions.data(), 2, &count), PLP_OK);
+  EXPECT_EQ(count, 8u);
+  EXPECT_NE(positions[5], kUntouched);
+  for (int i = 6; i < 9; ++i) EXPECT_EQ(positions[i], kUntouched);
+
+  std::array<std::uint32_t, 40> corners;
+  corners.fill(77);
+  EXPECT_EQ(plp_model_get_triangles(model.handle, corners.data(), nullptr, 1000, &count), PLP_OK);
+  EXPECT_EQ(count, 12u);
+  for (int i = 0; i < 36; ++i) EXPECT_LT(corners[i], 8u);
+  for (int i = 36; i < 40; ++i) EXPECT_EQ(corners[i], 77u);
+}
+
+TEST_F(Triangles, CopiesAreRefusedWithoutAModelOrRoom) {
+  const TestModel model(triangles_);
+  std::size_t count = 77;
+  double numbers[3];
+  EXPECT_EQ(plp_model_get_vertices(nullptr, numbers, 1, &count), PLP_ERROR_INVALID_HANDLE);
+  EXPECT_EQ(plp_model_get_triangles(nullptr, nullptr, nullptr, 0, &count), PLP_ERROR_INVALID_HANDLE);
+  EXPECT_EQ(plp_model_get_vertices(model.handle, nullptr, 1, &count), PLP_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(plp_model_get_vertices(model.handle, numbers, 1, nullptr), PLP_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(plp_model_get_triangles(model.handle, nullptr, nullptr, 0, nullptr), PLP_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(count, 77u);
+}
+
 }  // namespace
 }  // namespace palpate::test

@@ -43,6 +43,28 @@ class GltfTest(unittest.TestCase):
             palpate.Model.load("box.glb\0.txt")
 
 
+class TrianglesTest(unittest.TestCase):
+    def test_what_is_searched_comes_back(self):
+        model = box()
+        corners = sorted(tuple(map(float, corner)) for corner in model.vertices)
+        self.assertEqual(corners, sorted(map(tuple, BOX_CORNERS)))
+        self.assertEqual(len(model.triangles), 12)
+        for triangle in model.triangles:
+            self.assertGreater(self.outward_area(model.vertices, triangle), 0.0)
+
+    def test_a_closed_model_has_none(self):
+        model = box()
+        model.close()
+        for name in ("vertices", "triangles"):
+            with self.assertRaises(palpate.InvalidHandle):
+                getattr(model, name)
+
+    def outward_area(self, vertices, triangle):
+        """Six times the volume between a triangle and the origin."""
+        (a, b, c), (d, e, f), (g, h, i) = ([float(x) for x in vertices[int(corner)]] for corner in triangle)
+        return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+
 class ArraysTest(unittest.TestCase):
     def test_nested_and_flat_sequences(self):
         flat_corners = [number for corner in BOX_CORNERS for number in corner]

@@ -6,10 +6,16 @@ palpate_build_packages=(
   libtinygltf-dev libglm-dev libembree-dev libhwy-dev libdraco-dev libmeshoptimizer-dev
   libcli11-dev nlohmann-json3-dev pkg-config libhidapi-dev
 )
+# The viewer, which is left out without them; Mesa draws where there is no graphics processor.
+palpate_viewer_packages=(
+  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libstb-dev pkg-config
+  libgl1 libgl1-mesa-dri libegl-mesa0 fonts-dejavu-core
+)
 palpate_test_packages=(
   libgtest-dev clang-format-14 binutils make patchelf libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
+  xvfb xdotool
 )
 # Making packages that hold the library and all that it needs.
 palpate_package_packages=(binutils patchelf python3)

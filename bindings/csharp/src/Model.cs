@@ -154,6 +154,35 @@ namespace Palpate
             return notes;
         }
 
+        /// <summary>A copy of the welded vertices as they are searched: x, y and z of each in metres.</summary>
+        public double[] Vertices()
+        {
+            UIntPtr count;
+            PalpateException.Check(Raw.plp_model_get_vertices(handle.Value, null, UIntPtr.Zero, &count));
+            var positions = new double[3 * (long)count];
+            fixed (double* numbers = positions)
+            {
+                PalpateException.Check(Raw.plp_model_get_vertices(handle.Value, numbers, count, &count));
+            }
+            GC.KeepAlive(this);
+            return positions;
+        }
+
+        /// <summary>A copy of the triangles as they are searched, after repair and in no stated order: three indices
+        /// into Vertices() each, counter-clockwise seen from outside.</summary>
+        public uint[] Triangles()
+        {
+            UIntPtr count;
+            PalpateException.Check(Raw.plp_model_get_triangles(handle.Value, null, null, UIntPtr.Zero, &count));
+            var corners = new uint[3 * (long)count];
+            fixed (uint* numbers = corners)
+            {
+                PalpateException.Check(Raw.plp_model_get_triangles(handle.Value, numbers, null, count, &count));
+            }
+            GC.KeepAlive(this);
+            return corners;
+        }
+
         /// <summary>Builds the hierarchy now rather than when something first comes near.</summary>
         public void Prepare()
         {

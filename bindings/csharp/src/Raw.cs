@@ -594,6 +594,14 @@ namespace Palpate
         public static extern int plp_model_get_hash(IntPtr model, ulong* hash);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_get_vertices(IntPtr model, double* positions, UIntPtr capacity,
+                                                        UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_model_get_triangles(IntPtr model, uint* corners, uint* sources, UIntPtr capacity,
+                                                         UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void plp_contacts_init(plp_contacts* contacts, UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

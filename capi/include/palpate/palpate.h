@@ -304,6 +304,28 @@ PLP_API plp_result plp_model_prepare(plp_model model);
  *  @since 0.1 */
 PLP_API plp_result plp_model_get_hash(plp_model model, uint64_t* hash);
 
+/**
+ * @brief Copies the welded vertices of a model as it is searched, such as to draw it.
+ * @param positions receives x, y and z of each in metres, in the model's own frame: `capacity` × 3 numbers,
+ * of which no more are written than there are vertices. May be null if `capacity` is 0. @param count receives
+ * how many vertices there are, which may be more than `capacity`.
+ * @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_model_get_vertices(plp_model model, double* positions, size_t capacity, size_t* count);
+
+/**
+ * @brief Copies the triangles of a model as it is searched: after repair, in no stated order.
+ * @param corners receives three vertices of each, as numbered by plp_model_get_vertices, counter-clockwise
+ * seen from outside: `capacity` × 3 numbers. @param sources receives the number of each in the input, which
+ * is what plp_lmd::triangle_a means: `capacity` numbers. Either may be null to leave it out. @param count
+ * receives how many triangles there are, which may be more than `capacity`.
+ * @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_model_get_triangles(plp_model model, uint32_t* corners, uint32_t* sources,
+                                           size_t capacity, size_t* count);
+
 /* --------------------------------------------------------------------------------------------------------
  * contacts */
 

@@ -29,6 +29,20 @@ namespace Palpate.Tests
         }
 
         [Test]
+        public void GivesWhatIsSearchedBack()
+        {
+            using (Model model = Model.Load(Samples.ModelPath("box.glb")))
+            {
+                double[] vertices = model.Vertices();
+                uint[] triangles = model.Triangles();
+                Assert.AreEqual(3 * 8, vertices.Length);
+                Assert.AreEqual(3 * 12, triangles.Length);
+                Assert.IsTrue(Array.TrueForAll(triangles, corner => corner < 8));
+                Assert.IsTrue(Array.TrueForAll(vertices, x => Math.Abs(Math.Abs(x) - model.Info.BoundsMax.X) < 1e-9));
+            }
+        }
+
+        [Test]
         public void LoadsAFileWithAUnicodeName()
         {
             string path = Samples.TemporaryPath("дом ☃.gltf");

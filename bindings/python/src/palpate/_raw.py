@@ -554,6 +554,10 @@ plp_model_get_info = _function("plp_model_get_info", _result, _handle, POINTER(p
 plp_model_note = _function("plp_model_note", c_char_p, _handle, c_uint32)
 plp_model_prepare = _function("plp_model_prepare", _result, _handle)
 plp_model_get_hash = _function("plp_model_get_hash", _result, _handle, POINTER(c_uint64))
+plp_model_get_vertices = _function("plp_model_get_vertices", _result, _handle, POINTER(c_double), c_size_t,
+                                   POINTER(c_size_t))
+plp_model_get_triangles = _function("plp_model_get_triangles", _result, _handle, POINTER(c_uint32), POINTER(c_uint32),
+                                    c_size_t, POINTER(c_size_t))
 
 plp_contacts_init = _function("plp_contacts_init", None, POINTER(plp_contacts), c_size_t)
 

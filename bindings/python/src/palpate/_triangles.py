@@ -31,6 +31,13 @@ class Rows:
         self.type_code = type_code
 
 
+def rows_of_three(numbers: Any) -> Any:
+    """A ctypes array as a numpy array of three columns that keeps it alive, without numpy as a list of tuples."""
+    if numpy is not None:
+        return numpy.ctypeslib.as_array(numbers).reshape(-1, 3)
+    return list(zip(*[iter(numbers)] * 3))
+
+
 def triangles_struct(positions: Rows, indices: Rows | None, space: Space | None) -> _raw.plp_triangles:
     """Valid as long as the rows."""
     triangles = _raw.plp_triangles()

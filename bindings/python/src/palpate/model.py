@@ -3,6 +3,7 @@
 import ctypes
 import enum
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +11,7 @@ from . import _raw
 from ._errors import InvalidArgument, check
 from ._native import Closing, create
 from ._numbers import int32, uint64
-from ._triangles import index_rows, position_rows, triangles_struct
+from ._triangles import index_rows, position_rows, rows_of_three, triangles_struct
 from .space import Space
 
 
@@ -160,9 +161,32 @@ class Model(Closing):
         count = self._raw_info().note_count
         return tuple(_raw.plp_model_note(self._handle, i).decode(errors="replace") for i in range(count))
 
+    @property
+    def vertices(self) -> Any:
+        """The welded vertices as they are searched: x, y and z of each in metres, a copy. A numpy array of shape
+        (n, 3), without numpy a list of tuples."""
+        count = self._count(_raw.plp_model_get_vertices, None)
+        numbers = (ctypes.c_double * (3 * count))()
+        check(_raw.plp_model_get_vertices(self._handle, numbers, count, ctypes.c_size_t()))
+        return rows_of_three(numbers)
+
+    @property
+    def triangles(self) -> Any:
+        """The triangles as they are searched, after repair and in no stated order: three indices into `vertices`
+        each, counter-clockwise seen from outside, a copy in the form of `vertices`."""
+        count = self._count(_raw.plp_model_get_triangles, None, None)
+        corners = (ctypes.c_uint32 * (3 * count))()
+        check(_raw.plp_model_get_triangles(self._handle, corners, None, count, ctypes.c_size_t()))
+        return rows_of_three(corners)
+
     def prepare(self) -> None:
         """Builds the hierarchy now rather than when something first comes near."""
         check(_raw.plp_model_prepare(self._handle))
+
+    def _count(self, function: Callable[..., int], *no_arrays: None) -> int:
+        count = ctypes.c_size_t()
+        check(function(self._handle, *no_arrays, 0, count))
+        return count.value
 
     def _raw_info(self) -> _raw.plp_model_info:
         info = _raw.plp_model_info()

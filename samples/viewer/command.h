@@ -1,0 +1,8 @@
+#pragma once
+
+namespace palpate::viewer {
+
+// What a key or a button asks for.
+enum class Command { kPause, kStep, kReset, kScreenshot, kExport, kGraphs, kArm, kPanels, kQuit };
+
+}  // namespace palpate::viewer
