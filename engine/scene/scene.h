@@ -101,7 +101,6 @@ class Scene {
   void search_near_bodies(const Body& tool);
   void collect(const NearBody& near, const Body& tool);
   SpringLaw spring_law_of(const BodyOptions& body) const;
-  double stiffness_cap() const;  // 0 or less: none
   std::size_t max_overlaps() const;
 
   SceneOptions options_;

@@ -15,7 +15,7 @@ palpate_test_packages=(
   libgtest-dev clang-format-14 binutils make patchelf libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
-  xvfb xdotool
+  godot3-server godot3-runner xvfb xauth xdotool libopenxr-dev
 )
 # Making packages that hold the library and all that it needs.
 palpate_package_packages=(binutils patchelf python3)
