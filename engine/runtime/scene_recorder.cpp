@@ -62,7 +62,7 @@ TraceTick SceneRecorder::begin_tick(Scene& scene, double dt) const {
   tick.lost = lost_;
   tick.tool = scene.tool();
   if (const Body* tool = scene.find(tick.tool)) tick.tool_pose = trace_of(tool->pose());
-  tick.settings_count = trace_settings(scene.options()) == settings_ ? 0 : 1;
+  tick.settings_count = trace_settings(scene) == settings_ ? 0 : 1;
   tick.removed_count = static_cast<std::uint32_t>(removed_.size());
   scene.for_each_body([&](const Body& body) { tick.pose_count += body.moved && body.id != tick.tool; });
   return tick;
@@ -71,7 +71,7 @@ TraceTick SceneRecorder::begin_tick(Scene& scene, double dt) const {
 template <class Push>
 void SceneRecorder::push_tick(const TraceTick& tick, Scene& scene, Push&& push) {
   push(tick);
-  settings_ = trace_settings(scene.options());
+  settings_ = trace_settings(scene);
   if (tick.settings_count == 1) push(settings_);
   for (const BodyId id : removed_) push(TraceRemoval{id});
   scene.for_each_body([&](Body& body) {

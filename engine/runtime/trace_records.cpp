@@ -70,6 +70,13 @@ TraceSettings trace_settings(const SceneOptions& options) {
           static_cast<std::uint32_t>(options.law)};
 }
 
+// The cap may be the device's, which is not there when a trace is replayed.
+TraceSettings trace_settings(const Scene& scene) {
+  TraceSettings settings = trace_settings(scene.options());
+  settings.stiffness_cap = scene.stiffness_cap();
+  return settings;
+}
+
 TraceHeader trace_of(const SceneOptions& options, const TraceSpace& space) {
   TraceHeader header;
   header.space = space;

@@ -10,6 +10,7 @@ namespace palpate {
 TraceVector trace_of(const DVec3& vector);
 TracePose trace_of(const Pose& pose);
 TraceSettings trace_settings(const SceneOptions& options);
+TraceSettings trace_settings(const Scene& scene);  // those in force
 TraceHeader trace_of(const SceneOptions& options, const TraceSpace& space);
 TraceBody trace_of(BodyId id, const BodyOptions& options);
 TraceContact trace_of(const Contact& contact);

@@ -41,6 +41,7 @@ class Scene {
   void set_stiffness_cap(double cap) { options_.stiffness_cap = cap; }
   // What the device that holds the tool can render, N/m at the tool; 0: no device, or one that does not say.
   void set_device_stiffness(double most) { device_stiffness_ = most; }
+  double stiffness_cap() const;  // that is in force, the scene's own or the device's; 0 or less: none
   void set_friction(double friction) { options_.friction = friction; }
   void set_law(ForceLaw law) { options_.law = law; }
   void set_mode(SearchMode mode) { options_.mode = mode; }
