@@ -2,18 +2,11 @@
 
 #include "capi/src/handles.h"
 #include "capi/src/structs.h"
+#include "capi/src/text.h"
 #include "engine/device/registry.h"
 
 namespace palpate::capi {
 namespace {
-
-// Cut where it is too long.
-template <std::size_t kSize>
-void store_text(const std::string& text, char (&out)[kSize]) {
-  const std::size_t length = std::min(text.size(), kSize - 1);
-  std::copy_n(text.data(), length, out);
-  out[length] = 0;
-}
 
 void store_limits(const DeviceLimits& limits, plp_device_info& out) {
   out.max_force = limits.max_force;

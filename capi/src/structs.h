@@ -29,6 +29,10 @@ inline constexpr std::uint32_t kFirstSize<plp_scene_options> = 56;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_body_options> = 104;
 template <>
+inline constexpr std::uint32_t kFirstSize<plp_body_info> = 312;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_gltf_scene_options> = 88;
+template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_options> = 24;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_state> = 160;
