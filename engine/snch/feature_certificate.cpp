@@ -55,7 +55,7 @@ Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, co
   Certificate all{Certificate::kForever, Certificate::kForever};
   if (!(corners.corners | corners.near_corners)) return all;
   const Triangle& triangle = face.shape;
-  const DVec3 normal = glm::normalize(triangle.area_vector());
+  const DVec3 normal = face_side.normal(face);
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int k = 0; k < 3; ++k) {
     const bool near = corners.has_near_corner(k);
@@ -83,8 +83,7 @@ Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, co
 
 // Until they are parallel.
 Certificate FeatureCertificate::faces(const TestedTriangle& a, const TestedTriangle& b) const {
-  const DVec3 normal_a = glm::normalize(a.shape.area_vector()),
-              normal_b = glm::normalize(b.shape.area_vector());
+  const DVec3 normal_a = a_.normal(a), normal_b = b_.normal(b);
   const double sine = glm::length(glm::cross(normal_a, normal_b)), cosine = -glm::dot(normal_a, normal_b);
   const bool two_sided = a_.mesh.double_sided[a.index] || b_.mesh.double_sided[b.index];
   const double angle = std::atan2(sine, two_sided ? std::abs(cosine) : cosine);
@@ -95,7 +94,7 @@ Certificate FeatureCertificate::faces(const TestedTriangle& a, const TestedTrian
 Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
                                                const MeshSide& face_side, const TestedTriangle& face) const {
   Certificate all{Certificate::kForever, Certificate::kForever};
-  const DVec3 normal = glm::normalize(face.shape.area_vector());
+  const DVec3 normal = face_side.normal(face);
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int j = 0; j < 3; ++j) {
     if (!edges.has_side(j)) continue;

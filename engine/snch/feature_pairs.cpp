@@ -59,8 +59,7 @@ void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const T
                                             const MeshSide& face_side, const TestedTriangle& face) {
   if (!corners.corners) return;
   const Triangle& triangle = face.shape;
-  const DVec3 area = triangle.area_vector();
-  const DVec3 face_normal = area / glm::length(area);
+  const DVec3 face_normal = face_side.normal(face);
   for (int k = 0; k < 3; ++k) {
     if (!corners.has_corner(k)) continue;
     const DVec3& corner = corners.shape.corner[k];
@@ -116,7 +115,7 @@ void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const 
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
-      if (end <= kEnd * length + limits_.touch) continue;
+      if (!(end > kEnd * length + limits_.touch)) continue;
       const DVec3 foot = edges.shape.start(j) + along * (place / length);
       const DVec3 between = corner - foot;
       const double distance = glm::length(between);

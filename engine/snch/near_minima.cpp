@@ -137,7 +137,7 @@ void NearMinimumTest::test_corners_and_face(const NearPolar& corner_side, const 
   if (!corners.near_corners) return;
   const MeshSide& side = face_side.side();
   const Triangle& triangle = face.shape;
-  const DVec3 normal = glm::normalize(triangle.area_vector());
+  const DVec3 normal = side.normal(face);
   for (int k = 0; k < 3; ++k) {
     if (!corners.has_near_corner(k)) continue;
     const DVec3& corner = corners.shape.corner[k];

@@ -36,13 +36,12 @@ void ParallelCells::operator()(const TestedTriangle& a, const TestedTriangle& b)
 }
 
 void ParallelCells::test_faces(const TestedTriangle& a, const TestedTriangle& b) {
-  const DVec3 area_a = a.shape.area_vector(), area_b = b.shape.area_vector();
-  if (!are_parallel(area_a, area_b, limits_.parallel_tolerance)) return;
-  const DVec3 up = glm::normalize(area_a);
+  const DVec3 up = a_.normal(a), normal_b = b_.normal(b);
+  if (!are_parallel(up, normal_b, limits_.parallel_tolerance)) return;
   const bool above = glm::dot(b.shape.corner[0] - a.shape.corner[0], up) > 0;
   const DVec3 normal = above ? up : -up;
   if (!above && !a_.mesh.double_sided[a.index]) return;
-  if (glm::dot(normal, area_b) > 0 && !b_.mesh.double_sided[b.index]) return;
+  if (glm::dot(normal, normal_b) > 0 && !b_.mesh.double_sided[b.index]) return;
   Corners corners;
   for (const DVec3& corner : b.shape.corner) corners.add(corner);
   emit({a_, a_.face(a), b_.face(b), normal, 0.0}, clipped(corners, a.shape, up), a.shape.corner[0]);
@@ -50,12 +49,10 @@ void ParallelCells::test_faces(const TestedTriangle& a, const TestedTriangle& b)
 
 void ParallelCells::test_edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
                                         const MeshSide& face_side, const TestedTriangle& face) {
-  const DVec3 area = face.shape.area_vector();
+  const DVec3 up = face_side.normal(face);
   for (int side = 0; side < 3; ++side) {
-    if (!edges.has_side(side) ||
-        !are_perpendicular(edges.shape.along(side), area, limits_.parallel_tolerance))
+    if (!edges.has_side(side) || !are_perpendicular(edges.shape.along(side), up, limits_.parallel_tolerance))
       continue;
-    const DVec3 up = glm::normalize(area);
     const bool above = glm::dot(edges.shape.start(side) - face.shape.corner[0], up) > 0;
     if (!above && !face_side.mesh.double_sided[face.index]) continue;
     const DVec3 normal = above ? up : -up;

@@ -35,6 +35,13 @@ struct MeshSide {
     return {FeatureKind::kVertex, mesh.triangles[t.index][corner]};
   }
 
+  // Outward and of unit length, from the frame of the mesh itself: of a sliver of B, corners that were
+  // rounded in A's frame have none that could be trusted, or none at all.
+  DVec3 normal(const TestedTriangle& t) const {
+    const DVec3 own_normal = unit_normal(mesh, t.index);
+    return is_b ? placement.rotation * own_normal : own_normal;
+  }
+
   // The largest lean of `u`, which leads away, outside the polar cone of an edge or vertex.
   double violation(const Feature& feature, const DVec3& u) const {
     return feature.kind == FeatureKind::kVertex ? vertex_violation(mesh, feature.index, own(u))

@@ -170,13 +170,13 @@ TEST_P(GoldenTest, IsTheSameForEveryInstructionSet) {
 // Taken with the release build. A change of what is computed changes them; a change of how fast must not.
 INSTANTIATE_TEST_SUITE_P(
     Modes, GoldenTest,
-    testing::Values(Golden{"global", {PLP_MODE_GLOBAL, 0}, 0x381c90d6c9913244},
-                    Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xdbf1b7fa85a3d59a},
-                    Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0x381c90d6c9913244},
-                    Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
-                    Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x38bae6203c692ee8},
-                    Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x82964280d374b909},
-                    Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x0f359704f09dc0dd}),
+    testing::Values(Golden{"global", {PLP_MODE_GLOBAL, 0}, 0xfc4085c0a975ada4},
+                    Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xccc04b336aaa53f0},
+                    Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0xfc4085c0a975ada4},
+                    Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+                    Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+                    Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x6a81cec487225dde},
+                    Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x7f8c335b27403499}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

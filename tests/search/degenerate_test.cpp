@@ -88,5 +88,35 @@ TEST(Degenerate, LoneTriangles) {
   }
 }
 
+// A sheet whose lower border is a sliver as thin as can be without being nothing: anywhere else than in its
+// own frame two of its corners are rounded to one point.
+TriangleSoup sheet_with_sliver(double thickness) {
+  TriangleSoup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {thickness, -thickness, 0}, {0, 1, 0}, {1, 1, 0}};
+  soup.triangles = {{0, 2, 1}, {0, 1, 4}, {0, 4, 3}};
+  soup.double_sided.assign(3, true);
+  return soup;
+}
+
+TEST(Degenerate, SliversThatRoundingTakesTheAreaOf) {
+  TriangleSoup open;  // at its border nothing tells outside from inside
+  open.positions = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.2, 0}};
+  open.triangles = {{0, 1, 2}};
+  const auto probe = make_model(open);
+  Random random(17);
+  for (const double thickness : {1e-3, 1e-9, 1e-15, 1e-17, 1e-25, 1e-37}) {
+    const auto sheet = make_model(sheet_with_sliver(thickness));
+    ASSERT_EQ(sheet->mesh().triangles.size(), 3u) << thickness;
+    for (int i = 0; i < 300; ++i) {
+      const Pose pose{random.rotation(), DVec3(0.1, 0.1, 0.0) + random.direction() * 0.3};
+      const LmdSet as_a = find_lmds(*sheet, *probe, pose, 0.5);
+      const LmdSet as_b = find_lmds(*probe, *sheet, inverse(pose), 0.5);
+      expect_sound(as_a, 0.5);
+      expect_sound(as_b, 0.5);
+      EXPECT_EQ(as_a.set_count, as_b.set_count) << thickness << ' ' << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace palpate
