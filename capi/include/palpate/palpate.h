@@ -655,7 +655,8 @@ PLP_API void plp_gltf_scene_options_init(plp_gltf_scene_options* options, size_t
  * geometry nothing is read: what is touched is the mesh of the node itself.
  *
  * @param path UTF-8. @param options null for the defaults. @param bodies receives the first `capacity` of the
- * new bodies; may be null if that is 0. @param count receives how many there are; may be null.
+ * new bodies; may be null if that is 0. @param count receives how many there are, at most 1,000,000; may be
+ * null.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT (also if none or several nodes have the tool's name, or
  * if the scene has a tool already), _FILE_NOT_FOUND, _FILE_READ, _BAD_FORMAT, _UNSUPPORTED, _NO_TRIANGLES,
  * _NON_FINITE, _LIMIT, _UNSAFE_PATH or _OUT_OF_MEMORY.

@@ -16,6 +16,7 @@ from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError, Inter
 from ._records import Records
 from .contacts import Contacts, Feature, Status, Work, Wrench
 from .device import Device, DeviceInfo, DeviceState, Grip, HandScript, Limiter, Safety, devices
+from .gltf_scene import BodyInfo
 from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
@@ -31,10 +32,10 @@ def version() -> str:
 
 
 __all__ = [
-    "BadFormat", "Body", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature", "FileNotFound",
-    "FileReadError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle", "Latency",
-    "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
-    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene", "ServoState",
-    "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query",
-    "set_log_callback", "shutdown_all", "version",
+    "BadFormat", "Body", "BodyInfo", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature",
+    "FileNotFound", "FileReadError", "Grip", "HandScript", "InternalError", "InvalidArgument", "InvalidHandle",
+    "Latency", "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles", "NonFinite",
+    "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Records", "Safety", "Scene",
+    "ServoState", "Space", "Status", "SurfaceCounts", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState",
+    "devices", "query", "set_log_callback", "shutdown_all", "version",
 ]
