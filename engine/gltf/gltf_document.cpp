@@ -35,7 +35,7 @@ constexpr JsonProperty kSparseIndices[] = {
     {"bufferView", kIndex, true}, {"byteOffset", kIndex}, {"componentType", kIndex, true}};
 constexpr JsonProperty kSparseValues[] = {{"bufferView", kIndex, true}, {"byteOffset", kIndex}};
 constexpr JsonProperty kMaterial[] = {{"doubleSided", kFlag}};
-constexpr JsonProperty kMesh[] = {{"primitives", kArray, true}, {"weights", kNumbers}};
+constexpr JsonProperty kMesh[] = {{"name", kText}, {"primitives", kArray, true}, {"weights", kNumbers}};
 constexpr JsonProperty kPrimitive[] = {{"attributes", kIndexByName, true},
                                        {"indices", kIndex},
                                        {"material", kIndex},

@@ -24,7 +24,7 @@ struct GltfInstance {
 struct GltfNode {
   std::uint32_t index = 0;   // in the file
   std::int32_t parent = -1;  // into GltfScene::nodes; −1: a root
-  std::string name;
+  std::string name;          // if it has none, its mesh's
   DMat4 scene_from_node{1.0};
   HapticMaterial material;
   bool moves = false;        // it or a node above has a motion

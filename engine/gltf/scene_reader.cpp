@@ -63,6 +63,8 @@ GltfNode SceneReader::node_of(int index) const {
   read.solid = haptics.solid;
   read.filter = haptics.collision_filter;
   read.material = haptics.material;
+  if (node.mesh >= 0 && node.name.empty())
+    read.name = document_.model.meshes[static_cast<std::size_t>(node.mesh)].name;
   if (node.mesh >= 0)
     read.material = first_of(read.material, document_.haptics.meshes[static_cast<std::size_t>(node.mesh)]);
   if (haptics.physics_material >= 0)

@@ -81,6 +81,17 @@ TEST(Bodies, HaveTheNamesAndTheOrderOfTheirNodes) {
   EXPECT_EQ(found.shapes.size(), 1u);
 }
 
+TEST(Bodies, WithoutANameHaveThatOfTheirMesh) {
+  GltfBuilder builder = no_nodes();
+  builder.json["meshes"][0]["name"] = "part";
+  builder.add_node({{"name", "mine"}, {"mesh", 0}});
+  builder.add_node({{"mesh", 0}});
+  const GltfBodies found = good(builder, "part");
+  EXPECT_EQ(found.bodies[0].name, "mine");
+  EXPECT_EQ(found.bodies[1].name, "part");
+  EXPECT_TRUE(found.bodies[1].tool);
+}
+
 TEST(Bodies, ShareAModelIfTheyShareMeshAndScale) {
   GltfBuilder builder = no_nodes();
   const double half = std::sqrt(0.5);

@@ -638,8 +638,9 @@ typedef struct plp_gltf_scene_options {
 PLP_API void plp_gltf_scene_options_init(plp_gltf_scene_options* options, size_t size);
 
 /**
- * @brief Adds the nodes of a .gltf or .glb file that have meshes as bodies, each by its name, parents before
- * children. All or nothing; in a scene whose servo runs they arrive within the next steps.
+ * @brief Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children. All or
+ * nothing; in a scene whose servo runs they arrive within the next steps. A body is called by its node's name
+ * or, if that has none, by its mesh's.
  *
  * A body's frame is that of its node without scale, mirror and shear, which its model holds; of a mirrored
  * node the third axis is turned. Bodies share a model if they have the same mesh and the same scale to six
