@@ -9,7 +9,7 @@ palpate_build_packages=(
 palpate_test_packages=(
   libgtest-dev clang-format-14 binutils make patchelf pkg-config
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
-  mypy
+  mypy python3-matplotlib python3-scipy
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
 )
 # Making packages that hold the library and all that it needs.

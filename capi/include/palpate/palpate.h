@@ -132,7 +132,8 @@ typedef struct plp_wrench {
 /** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis
  * the i-th axis of that space points: ±1, ±2 or ±3 for ±x, ±y or ±z, each axis once. Palpate's own is {1, 2,
  * 3}, right-handed and, as glTF, with +y up. {-1, 2, 3} is Unity with models as UnityGLTF and glTFast load
- * them; {1, 2, -3} Unity as OpenXR gives poses; {1, -3, 2} has z up (Blender, Panda3D). Forces stay in
+ * them; {1, 2, -3} Unity as OpenXR gives poses; {1, -3, 2} has z up (Blender, Panda3D); {3, -1,
+ * 2} with 0.01 metres per unit is Unreal. Forces stay in
  * newtons and torques in newton-metres; under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
   int32_t axes[3];
