@@ -45,7 +45,7 @@ GltfBodies read_bodies(const SceneLoad& load) {
   GltfOptions how = gltf_options(load.model);
   how.hierarchy = true;
   GltfScene scene = value_or_refuse(read_gltf_file(path_of(load.name.c_str()), how));
-  Result<GltfBodies> found = gather_bodies(scene, load.tool, mesh_options(load.model));
+  Result<GltfBodies> found = gather_bodies(scene, load.tool, mesh_options(load.model), scale_of(load.model));
   if (!found) refuse(found.error().code, load.name + ": " + found.error().message);
   GltfBodies bodies = std::move(found.value());
   bodies.notes.insert(bodies.notes.begin(), scene.notes.begin(), scene.notes.end());

@@ -10,6 +10,7 @@
 #include "capi/src/space.h"
 #include "engine/device/guarded_device.h"
 #include "engine/exchange/handle_table.h"
+#include "engine/gltf/load_tally.h"
 #include "engine/runtime/scene_threads.h"
 #include "engine/runtime/worker_pool.h"
 #include "engine/scene/query.h"
@@ -18,6 +19,7 @@ namespace palpate::capi {
 
 struct ModelObject {
   std::shared_ptr<const Model> model;
+  LoadTally tally;  // zeros unless it came from glTF
   double load_us;
 };
 

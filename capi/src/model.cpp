@@ -10,17 +10,30 @@
 namespace palpate::capi {
 namespace {
 
-// `notes` are a loader's; they come before those of the mesh.
-plp_model new_model(const TriangleSoup& soup, std::vector<std::string> notes,
-                    const plp_model_options& options, const std::string& name, const Stopwatch& watch) {
-  Result<Mesh> built = build_mesh(soup, mesh_options(options));
+TriangleSoup scaled(TriangleSoup soup, const plp_model_options& options) {
+  const double scale = scale_of(options);
+  if (scale == 1.0) return soup;
+  for (DVec3& position : soup.positions) position *= scale;
+  return soup;
+}
+
+// What a loader tells beside the triangles. Its notes come before those of the mesh.
+struct LoadReport {
+  std::vector<std::string> notes;
+  LoadTally tally;
+};
+
+plp_model new_model(TriangleSoup soup, LoadReport report, const plp_model_options& options,
+                    const std::string& name, const Stopwatch& watch) {
+  Result<Mesh> built = build_mesh(scaled(std::move(soup), options), mesh_options(options));
   if (!built) refuse(built.error().code, name + ": " + built.error().message);
   Mesh mesh = std::move(built.value());
-  notes.insert(notes.end(), mesh.report.notes.begin(), mesh.report.notes.end());
-  mesh.report.notes = std::move(notes);
+  std::vector<std::string>& notes = mesh.report.notes;
+  notes.insert(notes.begin(), report.notes.begin(), report.notes.end());
 
   auto object = std::make_unique<ModelObject>();
   object->model = std::make_shared<const Model>(std::move(mesh));
+  object->tally = report.tally;
   object->load_us = watch.elapsed_us();
   const std::shared_ptr<const Model> model = object->model;
   const double load_us = object->load_us;
@@ -31,7 +44,7 @@ plp_model new_model(const TriangleSoup& soup, std::vector<std::string> notes,
 
 plp_model new_gltf_model(const GltfScene& scene, const plp_model_options& options, const std::string& name,
                          const Stopwatch& watch) {
-  return new_model(bake(scene), scene.notes, options, name, watch);
+  return new_model(bake(scene), {scene.notes, scene.tally}, options, name, watch);
 }
 
 }  // namespace
@@ -85,8 +98,7 @@ plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const
     require(model, "model is null");
     const plp_triangles given = read_struct(triangles, "triangles");
     const plp_model_options checked = checked_model_options(options, "options");
-    const TriangleSoup soup = read_triangles(given, max_triangles(checked));
-    *model = new_model(soup, {}, checked, "triangles", watch);
+    *model = new_model(read_triangles(given, max_triangles(checked)), {}, checked, "triangles", watch);
   });
 }
 

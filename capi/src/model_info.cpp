@@ -54,6 +54,8 @@ plp_model_info info_of(const ModelObject& object) {
   info.diagonal = model.bounds().diagonal();
   info.mesh_bytes = model.mesh().bytes();
   info.load_us = object.load_us;
+  info.read_bytes = object.tally.read_bytes;
+  info.decoded_bytes = object.tally.decoded_bytes;
   if (const Tree* tree = model.tree_if_built()) add_tree(*tree, tree->bytes(), info);
   if (const NearTree* near = model.near_tree_if_built()) add_tree(near->tree, near->bytes(), info);
   return info;

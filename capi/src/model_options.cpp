@@ -20,6 +20,7 @@ plp_model_options default_model_options() {
   plp_model_options options{};
   options.struct_size = sizeof options;
   options.gltf_scene = -1;
+  options.scale = 1.0;
   return options;
 }
 
@@ -31,6 +32,7 @@ plp_model_options checked_model_options(const plp_model_options* given, const ch
   if (options.reserved != 0) refuse_argument(name, "->reserved is not zero");
   if (options.gltf_scene < -1) refuse_argument(name, "->gltf_scene is less than -1");
   checked_not_negative(options.weld_tolerance, (std::string(name) + "->weld_tolerance").c_str());
+  checked_not_negative(options.scale, (std::string(name) + "->scale").c_str());
   return options;
 }
 
@@ -63,6 +65,10 @@ void log_model(const std::string& name, const MeshReport& report, double load_us
   log_quietly(LogLevel::kInfo, name + ": " + std::to_string(report.final.triangles) + " triangles and " +
                                    std::to_string(report.final.vertices) + " vertices in " +
                                    std::to_string(static_cast<std::uint64_t>(load_us)) + " us");
+}
+
+double scale_of(const plp_model_options& options) {
+  return options.scale == 0.0 ? 1.0 : options.scale;
 }
 
 }  // namespace palpate::capi

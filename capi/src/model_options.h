@@ -15,6 +15,7 @@ plp_model_options default_model_options();
 // The defaults for null. `name` is what sentences call the argument.
 plp_model_options checked_model_options(const plp_model_options* given, const char* name);
 
+double scale_of(const plp_model_options& options);
 std::uint64_t max_triangles(const plp_model_options& options);
 MeshOptions mesh_options(const plp_model_options& options);
 GltfOptions gltf_options(const plp_model_options& options);

@@ -19,6 +19,13 @@ unsigned side_bit(TrianglePlace place) {
   return place.is_side() ? 1u << place.side() : 0u;
 }
 
+// One that was found twice. Squared distance is convex on a pair of features, so where a minimum is alone
+// there is no other; from another of its triangles it differs by rounding.
+bool same_minimum(const Minimum& one, const Minimum& other) {
+  const bool same_features = one.feature_a == other.feature_a && one.feature_b == other.feature_b;
+  return same_features && (one.alone || other.alone || one.point_b == other.point_b);
+}
+
 // Leaves the sets whose first point is within the cutoff, numbered anew.
 void drop_sets_beyond(double cutoff, LmdSet& found) {
   std::size_t kept = 0;
@@ -110,10 +117,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   for (const Seed& seed : seeds_) follow_seed(tick, seed, found);
 
   std::sort(minima_.begin(), minima_.end(), precedes);
-  const auto same = [](const Minimum& one, const Minimum& other) {
-    return !precedes(one, other) && !precedes(other, one);
-  };
-  minima_.erase(std::unique(minima_.begin(), minima_.end(), same), minima_.end());
+  minima_.erase(std::unique(minima_.begin(), minima_.end(), same_minimum), minima_.end());
   grouper_.group(a, b, touch, minima_, found);
   to_metres(a.frame, found);
   found.work.triangle_pairs = work_.triangle_pairs;

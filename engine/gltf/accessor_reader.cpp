@@ -47,11 +47,12 @@ std::uint64_t checked_stride(const Elements& source, std::uint64_t element_bytes
 }
 
 template <class Out>
-std::vector<Out> gather(const Elements& source) {
+std::vector<Out> gather(const Elements& source, LoadTally& tally) {
   if (source.count == 0) return {};
   return with_component_type(source.component_type, [&]<class T>(T) {
     const std::uint64_t stride = checked_stride(source, sizeof(T) * source.width);
     std::vector<Out> values(source.count * source.width);
+    tally.decoded_bytes += values.size() * sizeof(T);
     Out* out = values.data();
     for (std::uint64_t i = 0; i < source.count; ++i) {
       const std::byte* element = source.view.bytes.data() + source.offset + i * stride;
@@ -133,7 +134,8 @@ std::vector<Out> AccessorReader::read(const tinygltf::Accessor& accessor, std::u
   std::vector<Out> values;
   if (accessor.bufferView >= 0) {
     values = gather<Out>({buffers_.view(accessor.bufferView), accessor.byteOffset, accessor.count, width,
-                          accessor.componentType, accessor.normalized});
+                          accessor.componentType, accessor.normalized},
+                         budget_.tally);
   } else {
     if (accessor.count > kMostZeros)
       fail(ErrorCode::kLimit, accessor.count, " elements without a bufferView, at most ", kMostZeros,
@@ -151,12 +153,14 @@ void AccessorReader::patch(const tinygltf::Accessor& accessor, std::uint32_t wid
   check_index_type(sparse.indices.componentType);
   const auto count = static_cast<std::uint64_t>(sparse.count);
   budget_.take_elements(count);
-  const auto rows = gather<std::uint32_t>({buffers_.view(sparse.indices.bufferView),
-                                           static_cast<std::uint64_t>(sparse.indices.byteOffset), count, 1,
-                                           sparse.indices.componentType, false});
-  const auto changes = gather<Out>({buffers_.view(sparse.values.bufferView),
-                                    static_cast<std::uint64_t>(sparse.values.byteOffset), count, width,
-                                    accessor.componentType, accessor.normalized});
+  const auto rows = gather<std::uint32_t>(
+      {buffers_.view(sparse.indices.bufferView), static_cast<std::uint64_t>(sparse.indices.byteOffset), count,
+       1, sparse.indices.componentType, false},
+      budget_.tally);
+  const auto changes = gather<Out>(
+      {buffers_.view(sparse.values.bufferView), static_cast<std::uint64_t>(sparse.values.byteOffset), count,
+       width, accessor.componentType, accessor.normalized},
+      budget_.tally);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] >= accessor.count)
       fail(ErrorCode::kBadFormat, "sparse index ", rows[i], " is past the last element of ", accessor.count);

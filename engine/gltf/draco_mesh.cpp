@@ -103,6 +103,7 @@ DracoMesh::DracoMesh(std::span<const std::byte> stream, LoadBudget& budget) : bu
   budget.require_triangles(counts.points / 3);
   mesh_ = decode(stream);
   budget.require_triangles(mesh_->num_faces());
+  budget.tally.decoded_bytes += stream.size();
 }
 
 DracoMesh::DracoMesh(DracoMesh&&) noexcept = default;

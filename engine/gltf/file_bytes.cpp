@@ -24,6 +24,7 @@ std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, LoadBu
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size)
     fail(ErrorCode::kFileRead, "the file ended while it was read");
+  budget.tally.read_bytes += size;
   return bytes;
 }
 

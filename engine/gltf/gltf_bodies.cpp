@@ -32,7 +32,8 @@ double rounded(double number, double step) {
 
 class BodyGatherer {
  public:
-  BodyGatherer(const GltfScene& scene, const MeshOptions& options) : scene_(scene), options_(options) {}
+  BodyGatherer(const GltfScene& scene, const MeshOptions& options, double scale)
+      : scene_(scene), options_(options), scene_from_file_(DMat3(scale)) {}
 
   GltfBodies gather(const std::string& tool) &&;
 
@@ -55,6 +56,7 @@ class BodyGatherer {
 
   const GltfScene& scene_;
   const MeshOptions& options_;
+  const DMat4 scene_from_file_;  // a scale
   GltfBodies found_;
   std::vector<std::vector<GltfInstance>> instances_;  // by node
   std::vector<std::int32_t> bodies_;                  // by node: that of the node or of the nearest above
@@ -80,8 +82,11 @@ void BodyGatherer::sort_instances() {
   std::unordered_map<std::uint32_t, std::size_t> places;
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) places.emplace(scene_.nodes[i].index, i);
   instances_.resize(scene_.nodes.size());
-  for (const GltfInstance& instance : scene_.instances)
-    instances_[places.at(instance.node)].push_back(instance);
+  for (const GltfInstance& instance : scene_.instances) {
+    std::vector<GltfInstance>& here = instances_[places.at(instance.node)];
+    here.push_back(instance);
+    here.back().scene_from_mesh = scene_from_file_ * instance.scene_from_mesh;
+  }
 }
 
 void BodyGatherer::find_tool(const std::string& name) {
@@ -152,10 +157,12 @@ GltfBody BodyGatherer::body_of(std::int32_t place) const {
   GltfBody body;
   body.name = source.name;
   body.node = source.index;
-  body.scene_from_body = rigid_part(source.scene_from_node);
-  body.body_from_node = relative_to(body.scene_from_body, source.scene_from_node);
+  const DMat4 scene_from_node = scene_from_file_ * source.scene_from_node;
+  body.scene_from_body = rigid_part(scene_from_node);
+  body.body_from_node = relative_to(body.scene_from_body, scene_from_node);
   body.above = bodies_[static_cast<std::size_t>(place)];
-  if (source.parent != kNone) body.above_from_parent = node(source.parent).scene_from_node;
+  body.above_from_parent = scene_from_file_;
+  if (source.parent != kNone) body.above_from_parent = scene_from_file_ * node(source.parent).scene_from_node;
   if (body.above != kNone) {
     const GltfBody& above = found_.bodies[static_cast<std::size_t>(body.above)];
     body.above_from_parent = relative_to(above.scene_from_body, body.above_from_parent);
@@ -208,10 +215,10 @@ std::optional<std::uint32_t> BodyGatherer::build_shape(const std::vector<GltfIns
 
 }  // namespace
 
-Result<GltfBodies> gather_bodies(const GltfScene& scene, const std::string& tool,
-                                 const MeshOptions& options) {
+Result<GltfBodies> gather_bodies(const GltfScene& scene, const std::string& tool, const MeshOptions& options,
+                                 double scale) {
   try {
-    return BodyGatherer(scene, options).gather(tool);
+    return BodyGatherer(scene, options, scale).gather(tool);
   } catch (const gltf::LoadError& error) {
     return Error{error.code(), error.what()};
   }

@@ -32,8 +32,10 @@ struct GltfBodies {
   std::vector<std::string> notes;  // what was left out, a sentence each
 };
 
-// The bodies of a scene that was read with its hierarchy. `tool` names the tool's node; if it is empty, there
-// is none. Errors: kInvalidArgument (no such node, or several), kNoTriangles, and those of build_mesh.
-Result<GltfBodies> gather_bodies(const GltfScene& scene, const std::string& tool, const MeshOptions& options);
+// The bodies of a scene that was read with its hierarchy, all of it `scale` times as large. `tool` names the
+// tool's node; if it is empty, there is none. Errors: kInvalidArgument (no such node, or several),
+// kNoTriangles, and those of build_mesh.
+Result<GltfBodies> gather_bodies(const GltfScene& scene, const std::string& tool, const MeshOptions& options,
+                                 double scale = 1.0);
 
 }  // namespace palpate

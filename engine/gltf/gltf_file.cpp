@@ -20,7 +20,9 @@ GltfScene read_scene(std::span<const std::byte> bytes, const std::filesystem::pa
   const gltf::Container container = gltf::open_container(bytes);
   const gltf::GltfDocument document = gltf::read_document(container.json, options);
   gltf::BufferStore buffers(document, container, folder, budget);
-  return gltf::SceneReader(document, buffers, budget, options).read();
+  GltfScene scene = gltf::SceneReader(document, buffers, budget, options).read();
+  scene.tally = budget.tally;
+  return scene;
 }
 
 // Nothing that is thrown while a file is read gets past here.
@@ -54,6 +56,7 @@ Result<GltfScene> read_gltf_bytes(std::span<const std::byte> bytes, const std::s
   return guarded(name, [&] {
     gltf::LoadBudget budget(options.limits);
     budget.take_bytes(bytes.size());
+    budget.tally.read_bytes += bytes.size();
     return read_scene(bytes, folder, options, budget);
   });
 }

@@ -7,6 +7,7 @@
 
 #include "engine/gltf/collision_filter.h"
 #include "engine/gltf/haptic_material.h"
+#include "engine/gltf/load_tally.h"
 #include "engine/math/vector.h"
 #include "engine/mesh/triangle_soup.h"
 
@@ -40,6 +41,7 @@ struct GltfScene {
   std::vector<GltfNode> nodes;           // if GltfOptions::hierarchy: all, parents before children
   std::vector<CollisionFilter> filters;  // the same
   std::vector<std::string> notes;        // what was skipped, a sentence each
+  LoadTally tally;
 };
 
 // Instances in one soup, in the frame that they are placed in. Mirrored ones have their winding turned.

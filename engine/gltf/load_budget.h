@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/gltf/gltf_options.h"
+#include "engine/gltf/load_tally.h"
 
 namespace palpate::gltf {
 
@@ -22,6 +23,8 @@ class LoadBudget {
   void require_triangles(std::uint64_t count) const;
 
   void take_instances(std::uint64_t instances, std::uint64_t triangles_each);
+
+  LoadTally tally;  // counted, not limited
 
  private:
   GltfLimits limits_;

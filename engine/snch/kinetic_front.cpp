@@ -5,29 +5,35 @@
 
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/feature_certificate.h"
+#include "engine/snch/front_cell.h"
 #include "engine/snch/near_minima.h"
 #include "engine/snch/owned_triangle.h"
 
 namespace palpate {
 namespace {
 
-// Pairs of nodes tested a tick for the next front: a front of 10,000 entries is renewed in about 300 ticks.
-constexpr std::size_t kRebuildPairs = 48;
+// A part of the front is renewed every few ticks: at least so many entries, or this share of a large front.
+constexpr std::uint32_t kRenewalTicks = 4;
+constexpr std::size_t kLeastRenewed = 128;
+constexpr std::size_t kRenewedShare = 16;
+constexpr std::size_t kFirstLevels = 4;
 
 // Certificates lose this part, which covers the rounding of the odometer and of float32 expiries.
 constexpr double kKept = 0.999;
 
-// Readings beyond this are set back to 0 with a new front, so that float32 expiries stay fine.
+// Readings beyond this are set back to 0, so that float32 expiries stay fine.
 constexpr double kLongReading = 0.25;
 
-// Of a budget for a whole tick: a part renews the front, where a pair may be two tests.
-std::size_t rebuild_budget(std::uint64_t budget) {
-  budget = std::max(budget, KineticFront::kLeastBudget);
-  return static_cast<std::size_t>(std::min<std::uint64_t>(budget / 8, kRebuildPairs));
+// Pairs of nodes that may be tested to renew a part of the front, of a budget for the whole tick.
+std::uint64_t renewal_budget(std::uint64_t budget) {
+  if (budget == KineticFront::kNoBudget) return budget;
+  return std::min<std::uint64_t>(std::max(budget, KineticFront::kLeastBudget) / 8, 2 * kLeastRenewed);
 }
 
-std::uint64_t scan_budget(std::uint64_t budget) {
-  return std::max(budget, KineticFront::kLeastBudget) - 2 * rebuild_budget(budget);
+// What that leaves to the scan: a pair may be two tests.
+std::uint64_t scan_budget(std::uint64_t budget, std::uint64_t renewal) {
+  if (budget == KineticFront::kNoBudget) return budget;
+  return std::max(budget, KineticFront::kLeastBudget) - 2 * renewal;
 }
 
 // A float32 below x if that is positive; not positive otherwise.
@@ -69,6 +75,7 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   b_ = &model_b;
   options_ = options;
   going_on ? odometer_->advance(placement) : start(placement);
+  const std::uint64_t renewal = ++ticks_ % kRenewalTicks == 0 ? renewal_budget(budget) : 0;
   const double reach = model_b.radius() / a.frame.scale + cutoff;
   const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
   const Tree &tree_a = a_->tree(options.near_minima), &tree_b = b_->tree(options.near_minima);
@@ -82,11 +89,12 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
             FeatureCertificate(a, b, placement, {cutoff, touch, SearchOptions::kWidestTolerance},
                                odometer_->rate(), reach),
             found,
-            scan_budget(budget)};
+            scan_budget(budget, renewal)};
   if (options.near_minima) include_near_minima(tick, limits);
   scan(tick);
   if (found.cut) return forget();
-  build_next_front(tick, rebuild_budget(budget));
+  if (renewal > 0) renew(tick, renewal);
+  if (std::max(odometer_->distance(), odometer_->angle()) > kLongReading) rebase();
 
   std::sort(found.overlaps.begin(), found.overlaps.end());
   grouper_.group(a, b, touch, minima_, found);
@@ -98,11 +106,8 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
 void KineticFront::fix(const Room& room) {
   fixed_ = true;
   front_.reserve(room.front);
-  next_front_.reserve(room.front);
-  next_open_.reserve(kOpenRoom);
   minima_.reserve(room.minima);
-  // The two fronts change places, and all of one may expire at once.
-  open_.reserve(std::max(front_.capacity(), next_front_.capacity()) + kOpenRoom);
+  open_.reserve(front_.capacity() + kOpenRoom);  // all may expire at once
   postponed_.reserve(open_.capacity());
   grouper_.fix(minima_.capacity());
 }
@@ -113,12 +118,12 @@ void KineticFront::unfix() {
 }
 
 Room KineticFront::used() const {
-  return {std::max(front_.size(), next_front_.size()), minima_.size(), 0};
+  return {front_.size(), minima_.size(), 0};
 }
 
-// For what settling a batch adds to them.
-bool KineticFront::has_room_for(const std::vector<Entry>& front, const std::vector<NodePair>& open) const {
-  return !fixed_ || (has_room(front, NodeBatch::kMost) && has_room(open, NodeBatch::kMost));
+// For what settling a batch adds.
+bool KineticFront::has_room_for_batch() const {
+  return !fixed_ || (has_room(front_, NodeBatch::kMost) && has_room(open_, NodeBatch::kMost));
 }
 
 // For what two triangles may hold.
@@ -144,8 +149,8 @@ void KineticFront::start(const Placement& placement) {
   odometer_->start(placement);
   front_.assign(1, {0, 0, -1.0f, -1.0f});
   postponed_.clear();
-  next_front_.clear();
-  next_open_.assign(1, {0, 0});
+  ticks_ = 0;
+  renewed_levels_ = kFirstLevels;
 }
 
 void KineticFront::scan(Tick& tick) {
@@ -166,10 +171,10 @@ void KineticFront::scan(Tick& tick) {
   if (tick.found.cut) return;
   open_.insert(open_.end(), postponed_.begin(), postponed_.end());  // the last is tested first
   while (!open_.empty()) {
-    if (!has_room_for(front_, open_)) tick.found.cut = true;
+    if (!has_room_for_batch()) tick.found.cut = true;
     const std::size_t count = affordable(tick);
     if (tick.found.cut || count == 0) break;
-    settle_last(tick, count, front_, open_, true);
+    settle_last(tick, count, true);
   }
   postponed_.assign(open_.begin(), open_.end());
   complete_ = open_.empty();
@@ -182,34 +187,33 @@ std::size_t KineticFront::affordable(const Tick& tick) const {
 }
 
 // Tests the last open pairs, at most `most`, together.
-void KineticFront::settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front,
-                               std::vector<NodePair>& open, bool collect) {
+std::size_t KineticFront::settle_last(Tick& tick, std::size_t most, bool collect) {
   std::array<NodePair, NodeBatch::kMost> pairs;
-  const std::size_t count = std::min({most, open.size(), pairs.size()});
-  std::copy(open.end() - static_cast<std::ptrdiff_t>(count), open.end(), pairs.begin());
-  open.resize(open.size() - count);
+  const std::size_t count = std::min({most, open_.size(), pairs.size()});
+  std::copy(open_.end() - static_cast<std::ptrdiff_t>(count), open_.end(), pairs.begin());
+  open_.resize(open_.size() - count);
   NodeBatch::Certificates certificates;
   tick.node_batch.certify({pairs.data(), count}, odometer_->rate(), tick.reach, certificates);
-  for (std::size_t i = 0; i < count; ++i) settle(tick, pairs[i], certificates.of(i), front, open, collect);
+  for (std::size_t i = 0; i < count; ++i) settle(tick, pairs[i], certificates.of(i), collect);
+  return count;
 }
 
 // Puts a pair on the front if it can be pruned or holds two triangles; otherwise opens its children.
-void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
-                          std::vector<NodePair>& open, bool collect) {
+void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, bool collect) {
   ++tick.found.work.node_pairs;
   const Node &a = tick.tree_a.node(pair.a), &b = tick.tree_b.node(pair.b);
   if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
     if (tick.node_batch.opens_first(a, b)) {
-      open.push_back({a.second_child(), pair.b});
-      open.push_back({pair.a + 1, pair.b});
+      open_.push_back({a.second_child(), pair.b});
+      open_.push_back({pair.a + 1, pair.b});
     } else {
-      open.push_back({pair.a, b.second_child()});
-      open.push_back({pair.a, pair.b + 1});
+      open_.push_back({pair.a, b.second_child()});
+      open_.push_back({pair.a, pair.b + 1});
     }
     return;
   }
   if (!certificate.holds()) certificate = test_triangles(tick, a.triangle(), b.triangle(), collect);
-  front.push_back(entry_of(pair, certificate));
+  front_.push_back(entry_of(pair, certificate));
 }
 
 // A certificate proves that there is nothing now, either; without one the pair is looked at.
@@ -230,24 +234,38 @@ Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint3
   return {};
 }
 
-void KineticFront::build_next_front(Tick& tick, std::size_t most) {
-  for (std::size_t left = most; left > 0 && !next_open_.empty();) {
-    if (!has_room_for(next_front_, next_open_)) {
-      next_front_.clear();
-      next_open_.assign(1, {0, 0});
-      return;
-    }
-    const std::size_t count = std::min({left, next_open_.size(), NodeBatch::kMost});
-    settle_last(tick, count, next_front_, next_open_, false);
+// Takes a part of the front away and descends there anew, as far as it need be now.
+void KineticFront::renew(Tick& tick, std::uint64_t budget) {
+  if (front_.empty() || (fixed_ && !has_room(postponed_, kOpenRoom))) return;
+  const std::size_t entries = std::max(front_.size() / kRenewedShare, kLeastRenewed);
+  const FrontCell cell = choose_cell(tick, std::min<std::uint64_t>(entries, budget / 2));
+  std::erase_if(front_, [&](const Entry& entry) { return cell.holds({entry.a, entry.b}); });
+  std::erase_if(postponed_, [&](const NodePair& pair) { return cell.holds(pair); });
+  open_.assign(1, cell.root);
+  std::size_t left = std::min<std::uint64_t>(2 * entries, budget);
+  while (left > 0 && !open_.empty() && has_room_for_batch()) {
+    const std::size_t count = settle_last(tick, left, false);
     left -= count;
     work_.rebuilt += count;
   }
-  if (!next_open_.empty()) return;
-  front_.swap(next_front_);
-  postponed_.clear();  // the next front has a place for them
-  next_front_.clear();
-  next_open_.assign(1, {0, 0});
-  if (std::max(odometer_->distance(), odometer_->angle()) > kLongReading) rebase();
+  postponed_.insert(postponed_.end(), open_.begin(), open_.end());
+}
+
+// Around an entry that is chosen as if by chance, so that most are where most entries are. It holds at most
+// so many, and is looked for as far above as such cells were lately.
+FrontCell KineticFront::choose_cell(const Tick& tick, std::size_t most) {
+  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2³²: its multiples spread evenly
+  const std::uint32_t chance = ticks_ / kRenewalTicks * kGoldenRatio;
+  const Entry& chosen = front_[static_cast<std::size_t>(std::uint64_t{chance} * front_.size() >> 32)];
+  CellsAbove cells(tick.node_batch, tick.tree_a, tick.tree_b, {chosen.a, chosen.b}, renewed_levels_);
+  for (const Entry& entry : front_) cells.count({entry.a, entry.b});
+  const std::size_t up = cells.highest_of(most);
+  if (up + 1 == cells.levels()) {
+    renewed_levels_ = std::min(renewed_levels_ + 1, CellsAbove::kMostLevels);
+  } else if (up + 3 < cells.levels()) {
+    --renewed_levels_;
+  }
+  return cells[up];
 }
 
 void KineticFront::rebase() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/snch/feature_pairs.h"
+#include "engine/snch/front_cell.h"
 #include "engine/snch/lmd.h"
 #include "engine/snch/lmd_search.h"
 #include "engine/snch/model.h"
@@ -19,16 +20,15 @@ namespace palpate {
 struct FrontWork {
   std::uint64_t entries = 0;  // of the front
   std::uint64_t expired = 0;  // of those, tested again
-  std::uint64_t rebuilt = 0;  // pairs tested for the next front
+  std::uint64_t rebuilt = 0;  // pairs tested to renew a part of it
 };
 
 // The complete set of local minimum distances of two models along a motion, with proof in every tick:
 // certified coherence. The front of a traversal, the pairs of nodes where it was pruned and the pairs of
 // triangles that it reached, is kept from tick to tick. Each entry has a certificate on the odometer of the
 // relative motion; while that holds, the entry need not be looked at. A tick scans the front, tests again
-// what has expired, and descends there, so no LMD is late and none is missed. Meanwhile the next front is
-// built from the roots, a few pairs a tick, to take the place of the one that has grown finer than it need
-// be.
+// what has expired, and descends there, so no LMD is late and none is missed. By that the front only
+// grows finer: each tick renews a small part of it from above, to be no finer than it need be.
 //
 // A tick may be given a budget of tests. What it leaves untested comes first in the next tick, so that
 // nothing is lost: the set is complete again as soon as the budget suffices.
@@ -74,14 +74,13 @@ class KineticFront {
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);
-  bool has_room_for(const std::vector<Entry>& front, const std::vector<NodePair>& open) const;
+  bool has_room_for_batch() const;
   std::size_t affordable(const Tick& tick) const;
-  void settle_last(Tick& tick, std::size_t most, std::vector<Entry>& front, std::vector<NodePair>& open,
-                   bool collect);
-  void settle(Tick& tick, NodePair pair, Certificate certificate, std::vector<Entry>& front,
-              std::vector<NodePair>& open, bool collect);
+  std::size_t settle_last(Tick& tick, std::size_t most, bool collect);
+  void settle(Tick& tick, NodePair pair, Certificate certificate, bool collect);
   Certificate test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect);
-  void build_next_front(Tick& tick, std::size_t most);
+  void renew(Tick& tick, std::uint64_t budget);
+  FrontCell choose_cell(const Tick& tick, std::size_t most);
   void rebase();
   Entry entry_of(NodePair pair, const Certificate& certificate) const;
 
@@ -91,10 +90,10 @@ class KineticFront {
   SearchOptions options_;
   std::optional<Odometer> odometer_;
   std::vector<Entry> front_;
-  std::vector<Entry> next_front_;
-  std::vector<NodePair> next_open_;  // pairs that the next front has still to test
   std::vector<NodePair> open_;
   std::vector<NodePair> postponed_;  // pairs that are not on the front: the last tick could not afford them
+  std::uint32_t ticks_ = 0;          // since the start
+  std::size_t renewed_levels_ = 0;   // above an entry, where a part is looked for that can be renewed
   bool complete_ = true;
   std::vector<Minimum> minima_;
   PlateauGrouper grouper_;

@@ -7,6 +7,7 @@ namespace palpate::cli {
 
 struct InfoArguments {
   std::string model;
+  double scale = 1.0;
   bool json = false;
 };
 
@@ -19,6 +20,8 @@ struct SceneArguments {
 struct QueryArguments {
   std::string a;
   std::string b;
+  double scale_a = 1.0;  // of the models, before anything else
+  double scale_b = 1.0;
   std::array<double, 7> pose{};  // px py pz qx qy qz qw: B's frame in A's, metres
   double cutoff = 0.0;           // metres
   double stiffness = 1000.0;     // N/m
@@ -28,6 +31,8 @@ struct QueryArguments {
 struct RunArguments {
   std::string a;
   std::string b;
+  double scale_a = 1.0;  // of the models, before anything else
+  double scale_b = 1.0;
   std::string trajectory;
   double cutoff = 0.0;         // metres
   double stiffness = 1000.0;   // N/m

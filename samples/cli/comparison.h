@@ -9,9 +9,9 @@ namespace palpate::cli {
 
 // How far outcomes are from the complete ones of the same poses.
 struct ComparisonSummary {
-  std::size_t sets = 0;          // of the complete outcomes
-  std::size_t missed = 0;        // of these
-  std::size_t spurious = 0;      // sets that are in no complete outcome
+  std::size_t sets = 0;      // of the complete outcomes
+  std::size_t missed = 0;    // of these: no set of the outcome is one of them
+  std::size_t spurious = 0;  // sets of the outcomes that are none of the complete ones, or one a second time
   double force_error_rms = 0.0;  // of the wrench, in stiffness × cutoff
   double force_error_p999 = 0.0;
   double force_error_max = 0.0;
@@ -28,8 +28,6 @@ class Comparison {
   ComparisonSummary summary() const;
 
  private:
-  std::size_t unmatched(const plp_contacts& sets, const plp_contacts& among) const;
-
   double force_;
   double torque_;
   double reach_;

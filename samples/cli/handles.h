@@ -28,10 +28,14 @@ using OwnedModel = Owned<plp_model, plp_model_release>;
 using OwnedScene = Owned<plp_scene, plp_scene_release>;
 using OwnedQueryResult = Owned<plp_query_result, plp_query_result_release>;
 
-// Loads a glTF file and builds its hierarchy, so that no search that is timed has to.
-inline OwnedModel load_model(const std::string& path) {
+// Loads a glTF file, multiplies its positions by `scale`, and builds its hierarchy, so that no search that is
+// timed has to.
+inline OwnedModel load_model(const std::string& path, double scale) {
+  plp_model_options options;
+  plp_model_options_init(&options, sizeof options);
+  options.scale = scale;
   OwnedModel model;
-  check(plp_model_load_file(path.c_str(), nullptr, model.receive()));
+  check(plp_model_load_file(path.c_str(), &options, model.receive()));
   check(plp_model_prepare(model.get()));
   return model;
 }

@@ -67,6 +67,8 @@ void print_json(plp_model model, const plp_model_info& info) {
       .field("tree_nodes", info.tree_nodes)
       .field("load_us", info.load_us)
       .field("tree_us", info.tree_us)
+      .field("read_bytes", info.read_bytes)
+      .field("decoded_bytes", info.decoded_bytes)
       .close();
   std::cout << '\n';
 }
@@ -112,13 +114,15 @@ void print_table(plp_model model, const plp_model_info& info) {
   std::printf("mesh      %" PRIu64 " bytes, loaded in %.0f us\n", info.mesh_bytes, info.load_us);
   std::printf("hierarchy %" PRIu64 " bytes, %" PRIu64 " nodes, built in %.0f us\n", info.tree_bytes,
               info.tree_nodes, info.tree_us);
+  std::printf("files     %" PRIu64 " bytes read, %" PRIu64 " bytes decoded\n", info.read_bytes,
+              info.decoded_bytes);
   for (std::uint32_t i = 0; const char* note = plp_model_note(model, i); ++i) std::printf("note: %s\n", note);
 }
 
 }  // namespace
 
 void run_info(const InfoArguments& arguments) {
-  const OwnedModel model = load_model(arguments.model);
+  const OwnedModel model = load_model(arguments.model, arguments.scale);
   plp_model_info info;
   plp_model_info_init(&info, sizeof info);
   check(plp_model_get_info(model.get(), &info));

@@ -10,9 +10,16 @@
 namespace palpate::cli {
 namespace {
 
+void add_scale(CLI::App& command, const char* name, double& scale) {
+  command.add_option(name, scale, "What the model's positions are multiplied by before anything else")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
 void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand("info", "Describe a model and what was repaired in it");
   command->add_option("model", arguments.model, "A .gltf or .glb file")->required();
+  add_scale(*command, "--scale", arguments.scale);
   command->add_flag("--json", arguments.json, "Print JSON");
   command->callback([&] { run_info(arguments); });
 }
@@ -32,6 +39,8 @@ void add_query(CLI::App& app, QueryArguments& arguments) {
       app.add_subcommand("query", "Find all local minimum distances between two models at one pose");
   command->add_option("a", arguments.a, "The model that stands still")->required();
   command->add_option("b", arguments.b, "The model that is placed by --pose")->required();
+  add_scale(*command, "--scale-a", arguments.scale_a);
+  add_scale(*command, "--scale-b", arguments.scale_b);
   command->add_option("--pose", arguments.pose, "px py pz qx qy qz qw: B's frame in A's, metres")->required();
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
       ->required()
@@ -47,6 +56,8 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   CLI::App* command = app.add_subcommand("run", "Move one model along a trajectory past another");
   command->add_option("a", arguments.a, "The model that stands still")->required();
   command->add_option("b", arguments.b, "The model that moves")->required();
+  add_scale(*command, "--scale-a", arguments.scale_a);
+  add_scale(*command, "--scale-b", arguments.scale_b);
   command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw")->required();
   command->add_option("--cutoff", arguments.cutoff, "Metres: what is farther apart is not searched")
       ->required()

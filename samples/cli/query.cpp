@@ -85,8 +85,8 @@ void print_table(const plp_contacts& contacts) {
 void run_query(const QueryArguments& arguments) {
   if (std::all_of(arguments.pose.begin() + 3, arguments.pose.end(), [](double x) { return x == 0.0; }))
     throw Failure("--pose: its quaternion is zero");
-  const OwnedModel a = load_model(arguments.a);
-  const OwnedModel b = load_model(arguments.b);
+  const OwnedModel a = load_model(arguments.a, arguments.scale_a);
+  const OwnedModel b = load_model(arguments.b, arguments.scale_b);
   OwnedQueryResult result;
   check(plp_query_result_create(result.receive()));
 

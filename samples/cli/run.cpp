@@ -98,29 +98,6 @@ void write_times(JsonWriter& json, const char* name, const double us[4]) {
   json.field("p50", us[0]).field("p99", us[1]).field("p99.9", us[2]).field("max", us[3]).close();
 }
 
-// Means of a tick.
-void write_work(JsonWriter& json, const RunSummary& summary) {
-  const auto ticks = static_cast<double>(summary.ticks);
-  const auto mean = [&](std::uint64_t sum) { return static_cast<double>(sum) / ticks; };
-  const plp_work& work = summary.work;
-  json.key("work").open_object();
-  json.field("node_pairs", mean(work.node_pairs)).field("triangle_pairs", mean(work.triangle_pairs));
-  json.field("descents", mean(work.descents)).field("descent_steps", mean(work.descent_steps));
-  json.field("front_entries", mean(work.front_entries)).field("front_expired", mean(work.front_expired));
-  json.close();
-}
-
-void print_work(const RunSummary& summary) {
-  const auto ticks = static_cast<double>(summary.ticks);
-  const plp_work& work = summary.work;
-  std::printf(
-      "a tick tested %.1f node pairs and %.1f triangle pairs, followed %.2f minima by %.2f steps, kept %.0f "
-      "certificates and renewed %.1f\n",
-      static_cast<double>(work.node_pairs) / ticks, static_cast<double>(work.triangle_pairs) / ticks,
-      static_cast<double>(work.descents) / ticks, static_cast<double>(work.descent_steps) / ticks,
-      static_cast<double>(work.front_entries) / ticks, static_cast<double>(work.front_expired) / ticks);
-}
-
 void write_comparison(JsonWriter& json, const ComparisonSummary& comparison) {
   json.key("comparison").open_object();
   json.field("sets", comparison.sets)
@@ -180,7 +157,7 @@ void print_json(const RunSummary& summary, const RunReport& report) {
   const double local_us[] = {summary.local_us_p50, summary.local_us_p99, summary.local_us_p999,
                              summary.local_us_max};
   write_times(json, "local_us", local_us);
-  write_work(json, summary);
+  summary.work.write(json);
   if (report.servo) write_servo(json, *report.servo);
   if (report.comparison) write_comparison(json, *report.comparison);
   json.close();
@@ -192,6 +169,7 @@ void print_summary(const RunSummary& summary) {
               summary.ticks, summary.ticks_in_contact, summary.ticks_overlapping, summary.most_lmds);
   std::printf("a tick took p50 %.1f, p99 %.1f, p99.9 %.1f, max %.1f us\n", summary.local_us_p50,
               summary.local_us_p99, summary.local_us_p999, summary.local_us_max);
+  summary.work.print();
 }
 
 }  // namespace
@@ -213,7 +191,6 @@ void run_trajectory(const RunArguments& arguments) {
   if (!arguments.out.empty()) write_file(arguments.out, ticks);
   if (arguments.json) return print_json(summary_of(ticks), report);
   print_summary(summary_of(ticks));
-  print_work(summary_of(ticks));
   if (report.servo) print_servo(*report.servo);
   if (report.comparison) print_comparison(*report.comparison);
 }

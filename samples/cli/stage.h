@@ -19,7 +19,7 @@ struct RunModels {
   OwnedModel tool;
 
   explicit RunModels(const RunArguments& arguments)
-      : body(load_model(arguments.a)), tool(load_model(arguments.b)) {}
+      : body(load_model(arguments.a, arguments.scale_a)), tool(load_model(arguments.b, arguments.scale_b)) {}
 };
 
 // A scene of both.

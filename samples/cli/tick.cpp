@@ -8,15 +8,6 @@
 namespace palpate::cli {
 namespace {
 
-void add(const plp_work& work, plp_work& sum) {
-  sum.node_pairs += work.node_pairs;
-  sum.triangle_pairs += work.triangle_pairs;
-  sum.descents += work.descents;
-  sum.descent_steps += work.descent_steps;
-  sum.front_entries += work.front_entries;
-  sum.front_expired += work.front_expired;
-}
-
 void write_row(const Tick& tick, std::ostream& out) {
   out << exact_text(tick.seconds) << ',' << tick.lmds << ',' << exact_text(tick.min_distance);
   for (const double component : tick.wrench.force) out << ',' << exact_text(component);
@@ -41,7 +32,7 @@ RunSummary summary_of(const std::vector<Tick>& ticks) {
     summary.ticks_overlapping += tick.overlap;
     summary.most_lmds = std::max(summary.most_lmds, tick.lmds);
     local_us.push_back(tick.local_us);
-    add(tick.work, summary.work);
+    summary.work.add(tick.work);
   }
   std::sort(local_us.begin(), local_us.end());
   summary.local_us_p50 = percentile(local_us, 0.5);

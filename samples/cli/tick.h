@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/palpate.h"
+#include "samples/cli/work_spread.h"
 
 namespace palpate::cli {
 
@@ -32,7 +33,7 @@ struct RunSummary {
   double local_us_p99 = 0.0;
   double local_us_p999 = 0.0;
   double local_us_max = 0.0;
-  plp_work work{};  // sums over the ticks of what was searched, followed and kept
+  WorkSpread work;
 };
 
 RunSummary summary_of(const std::vector<Tick>& ticks);  // of at least one

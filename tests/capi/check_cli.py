@@ -86,6 +86,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(info["searched"]["triangles"], 12)
         self.assertEqual(info["bounds"], {"min": [-0.5] * 3, "max": [0.5] * 3})
         self.assertGreater(info["tree_nodes"], 0)
+        self.assertEqual((info["read_bytes"], info["decoded_bytes"]), (len(box_gltf(0.5)), 96 + 72))
+        self.assertIn("168 bytes decoded", self.output("info", self.box))
         self.assertIn("outward", self.output("info", self.box))
 
     def test_scene(self):
@@ -107,6 +109,19 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(lines[2], r"^cup +static +12 +0 0.6 0 +0 0 0 1 +200 +- +0$")
         self.assertIn("pen?", lines[3])
         self.assertIn("nobody", self.complaint("scene", path, "--tool", "nobody"))
+
+    def test_scale(self):
+        tripled = json.loads(self.output("info", self.box, "--scale", "3", "--json"))
+        self.assertEqual(tripled["bounds"], {"min": [-1.5] * 3, "max": [1.5] * 3})
+        pose = ("--pose", "2.125", "0", "0", "0", "0", "0", "1", "--cutoff", "0.2")
+        found = json.loads(self.output("query", self.box, self.box, *pose, "--scale-a", "3", "--json"))
+        self.assertEqual({(lmd["a"][0], lmd["b"][0], lmd["distance"]) for lmd in found["lmds"]}, {(1.5, 1.625, 0.125)})
+        poses = self.write("still.csv", "t,px,py,pz,qx,qy,qz,qw\n0,2.125,0,0,0,0,0,1\n")
+        out = str(Path(self.folder.name) / "scaled.csv")
+        self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2", "--scale-b", "3", "--out", out)
+        with open(out, newline="") as file:
+            self.assertEqual([float(tick["min_distance"]) for tick in csv.DictReader(file)], [0.125])
+        self.assertIn("--scale-b", self.complaint("query", self.box, self.box, *pose, "--scale-b", "0"))
 
     def test_run(self):
         rows = ["t,px,py,pz,qx,qy,qz,qw", "0,1.125,0,0,0,0,0,1", "0.001,1.125,0,0,0,0,0,1\r", "0.002,-9,0,0,0,0,0,1", ""]
@@ -175,9 +190,14 @@ class CommandLine(unittest.TestCase):
             self.assertEqual({int(tick["age_ticks"]) for tick in ticks}, set(range(7)) if mode == "descent" else {0})
         self.assertEqual(forces["certified"], forces["global"])
         for mode in ("descent", "certified"):
-            compared = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
-                                              "--mode", mode, "--compare", "--json"))["comparison"]
+            run = json.loads(self.output("run", self.box, self.box, "--trajectory", poses, "--cutoff", "0.2",
+                                         "--mode", mode, "--compare", "--json"))
+            compared = run["comparison"]
             self.assertGreater(compared["sets"], 10)
+            for quantity in ("node_pairs", "triangle_pairs", "descent_steps", "front_expired", "age_ticks"):
+                p50, p99, most = (run[f"work_{statistic}"][quantity] for statistic in ("p50", "p99", "max"))
+                self.assertTrue(0 <= p50 <= p99 <= most and run["work"][quantity] <= most, quantity)
+            self.assertEqual(run["work_max"]["age_ticks"], 9 if mode == "descent" else 0)
             self.assertEqual(compared["spurious"], 0)
             if mode == "certified":
                 self.assertEqual((compared["missed"], compared["force_error_max"], compared["torque_error_max"]), (0, 0, 0))

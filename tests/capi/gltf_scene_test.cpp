@@ -279,6 +279,32 @@ TEST(GltfScene, StandsWhereThePoseOfTheOptionsPutsIt) {
   EXPECT_NEAR(node_matrix(scene.handle, cup)[3][0], 0.0, 1e-12) << "in the file it is where it was";
 }
 
+TEST(GltfScene, ScaleMakesTheWholeFileLargerAndNotItsMatrices) {
+  constexpr std::uint64_t kSeed = 9;
+  std::mt19937_64 generator(kSeed);
+  const Json json = random_tree(generator);
+  const GltfFile file(json);
+  plp_model_options model;
+  plp_model_options_init(&model, sizeof model);
+  plp_gltf_scene_options options = options_with_tool(nullptr);
+  options.model = &model;
+  TestScene small(0.1);
+  ASSERT_EQ(plp_scene_load_gltf(small.handle, file.path().c_str(), &options, nullptr, 0, nullptr), PLP_OK);
+  model.scale = 4.0;
+  TestScene large(0.1);
+  ASSERT_EQ(plp_scene_load_gltf(large.handle, file.path().c_str(), &options, nullptr, 0, nullptr), PLP_OK);
+  const std::vector<plp_body> ours = list(large.handle);
+  const std::vector<plp_body> theirs = list(small.handle);
+  ASSERT_EQ(ours.size(), theirs.size());
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const plp_pose pose = pose_of(large.handle, ours[i]);
+    const plp_pose expected = pose_of(small.handle, theirs[i]);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(pose.position[k], 4.0 * expected.position[k], 1e-9) << kSeed;
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(pose.orientation[k], expected.orientation[k], 1e-9) << kSeed;
+    EXPECT_LT(difference(node_matrix(large.handle, ours[i]), node_matrix(small.handle, theirs[i])), 1e-9);
+  }
+}
+
 TEST(GltfScene, WhatIsIntangibleIsNotTouched) {
   Json json = kitchen();
   json["nodes"][1]["extensions"]["KHR_physics_rigid_bodies"]["trigger"] = {{"geometry", {{"node", 1}}}};

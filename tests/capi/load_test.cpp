@@ -1,4 +1,6 @@
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -104,6 +106,48 @@ TEST_F(LoadTest, Options) {
   options.gltf_scene = -1;
   options.max_triangles = 1;
   EXPECT_EQ(load(kTriangle, &options), PLP_OK);
+}
+
+plp_model_info info_of(const std::string& gltf, double scale) {
+  plp_model_options options;
+  plp_model_options_init(&options, sizeof options);
+  options.scale = scale;
+  plp_model model = nullptr;
+  EXPECT_EQ(plp_model_load_memory(gltf.data(), gltf.size(), nullptr, &options, &model), PLP_OK)
+      << plp_last_error();
+  plp_model_info info;
+  plp_model_info_init(&info, sizeof info);
+  EXPECT_EQ(plp_model_get_info(model, &info), PLP_OK);
+  plp_model_release(model);
+  return info;
+}
+
+TEST_F(LoadTest, ScaleMultipliesPositions) {
+  const plp_model_info one = info_of(kTriangle, 1.0), more = info_of(kTriangle, 3.0);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(more.bounds_max[i], 3.0 * one.bounds_max[i]);
+  EXPECT_EQ(info_of(kTriangle, 0.0).diagonal, one.diagonal) << "what an older program leaves zero is 1";
+}
+
+TEST_F(LoadTest, BytesReadAndDecodedAreTold) {
+  const plp_model_info info = info_of(kTriangle, 1.0);
+  EXPECT_EQ(info.read_bytes, std::string(kTriangle).size());
+  EXPECT_EQ(info.decoded_bytes, 36u);
+}
+
+// A program with the first version's header gives and gets shorter structs.
+TEST_F(LoadTest, StructsOfTheFirstVersionAreUnderstood) {
+  plp_model_options options;
+  plp_model_options_init(&options, offsetof(plp_model_options, scale));
+  EXPECT_EQ(load(kTriangle, &options), PLP_OK) << plp_last_error();
+  plp_model model = nullptr;
+  ASSERT_EQ(plp_model_load_memory(kTriangle, std::string(kTriangle).size(), nullptr, nullptr, &model),
+            PLP_OK);
+  plp_model_info info;
+  std::memset(&info, 0xAB, sizeof info);
+  plp_model_info_init(&info, offsetof(plp_model_info, read_bytes));
+  EXPECT_EQ(plp_model_get_info(model, &info), PLP_OK);
+  EXPECT_EQ(info.read_bytes, 0xABABABABABABABABu) << "is beyond the end of the caller's struct";
+  plp_model_release(model);
 }
 
 TEST_F(LoadTest, RealModels) {

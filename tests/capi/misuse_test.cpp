@@ -300,6 +300,8 @@ TEST_F(Misuse, ModelOptionsAreChecked) {
       {[](plp_model_options& o) { o.gltf_scene = -2; }, "gltf_scene"},
       {[](plp_model_options& o) { o.weld_tolerance = kNan; }, "weld_tolerance"},
       {[](plp_model_options& o) { o.weld_tolerance = -1.0; }, "weld_tolerance"},
+      {[](plp_model_options& o) { o.scale = kNan; }, "scale"},
+      {[](plp_model_options& o) { o.scale = -1.0; }, "scale"},
   };
   for (const auto& [spoil, name] : cases) {
     plp_model_options options;
@@ -393,7 +395,7 @@ TEST_F(Misuse, EveryInputStructHasItsSizeChecked) {
   triangles.struct_size -= 1;
   expect_refused(plp_model_create_from_triangles(&triangles, nullptr, &model), "triangles->struct_size");
   triangles.struct_size += 1;
-  model_options.struct_size -= 1;
+  model_options.struct_size = offsetof(plp_model_options, scale) - 1;
   expect_refused(plp_model_create_from_triangles(&triangles, &model_options, &model), "options->struct_size");
   scene_options.struct_size = offsetof(plp_scene_options, law) - 1;  // the first version's size, less one
   expect_refused(plp_scene_create(&scene_options, &scene), "options->struct_size");

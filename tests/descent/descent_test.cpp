@@ -135,6 +135,29 @@ TEST_P(PolarDescentOnly, StandsWhereADescentWouldEnd) {
   EXPECT_LT(standing_work, descended_work);
 }
 
+// A minimum on two edges is reached from four pairs of triangles, from each with another rounding: it is one.
+TEST_P(PolarDescentOnly, FindsAMinimumOnceFromAllItsTriangles) {
+  const auto a = asset_model(GetParam().a), b = asset_model(GetParam().b, GetParam().b_scale);
+  Random random(kSeed + 4);
+  SearchOptions options;
+  options.cutoff = 0.01;
+  LmdSearch search;
+  LmdSet complete, followed;
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = place_near(*a, *b, 0.004, random);
+    search.run(*a, *b, pose, options, complete);
+    std::vector<TrianglePair> seeds;
+    for (const Lmd& lmd : complete.lmds)
+      for (const std::uint32_t in_a : triangles_at(a->mesh(), lmd.feature_a))
+        for (const std::uint32_t in_b : triangles_at(b->mesh(), lmd.feature_b)) seeds.push_back({in_a, in_b});
+    LmdTracker tracker;
+    tracker.adopt(seeds);
+    tracker.follow(a->mesh(), b->mesh(), pose, options, options.cutoff, followed);
+    EXPECT_EQ(followed.set_count, complete.set_count) << "seed " << kSeed + 4 << " pose " << i;
+    EXPECT_EQ(followed.lmds.size(), complete.lmds.size()) << "seed " << kSeed + 4 << " pose " << i;
+  }
+}
+
 std::vector<std::uint32_t> around(const Mesh& mesh, Feature feature) {
   std::vector<std::uint32_t> triangles;
   const auto append = [&](const Feature& part) {

@@ -92,6 +92,11 @@ TEST(Draco, BothMethodsGiveTheSheetBack) {
     expect_same(read(draco_model(draco_stream(make_sheet(), method))), plain_sheet());
 }
 
+TEST(Draco, TheCompressedBytesAreWhatIsDecoded) {
+  const Bytes stream = draco_stream(make_sheet(), draco::MESH_EDGEBREAKER_ENCODING);
+  EXPECT_EQ(read(draco_model(stream)).value().tally.decoded_bytes, stream.size());
+}
+
 TEST(Draco, StatedFacesAreLimitedBeforeTheyAreDecoded) {
   GltfOptions options;
   options.limits.max_triangles = 161;

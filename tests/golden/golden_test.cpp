@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdio>
 #include <memory>
+#include <thread>
 
 #include "tests/capi/shapes.h"
 
@@ -74,43 +75,70 @@ double swing(int step, int period) {
   return half * (1.5 - 0.5 * half * half);
 }
 
+// What is replayed.
+enum class Course {
+  kRoll,   // a bumpy ball turns over balls and tilted boxes
+  kFlush,  // a box slides and rocks on a plate between upright boxes: plateaus of faces and of edges
+};
+
 // How a replay is searched.
 struct Manner {
   plp_mode mode;
   std::uint32_t tick_budget;
   plp_law law = PLP_LAW_SPRINGS;
+  Course course = Course::kRoll;
 };
 
-// Several bodies, one of which moves, and a tool among them.
+struct Models {
+  TestModel ball{bumpy_ball(0.5f, 10)};
+  TestModel box{test::box(0.45f, 0.5f, 0.4f)};
+  TestModel plate{test::box(2.0f, 2.0f, 0.1f)};
+};
+
+plp_pose rolling(int step) {
+  return {{0.9 * swing(step, 160), 0.8 * swing(step, 114), 0.3 + 0.2 * swing(step, 60)},
+          {0.4 * swing(step, 90), 0.3, 0.5 * swing(step, 140), 1.0}};
+}
+
+// Flat on the plate half of the time, above it or pressed in.
+plp_pose flush(int step) {
+  const double rock = swing(step, 120) > 0.0 ? 0.02 * swing(step, 120) : 0.0;
+  return {{0.15 * swing(step, 114), 0.3 * swing(step, 96), 0.02 + 0.16 * swing(step, 80)},
+          {rock, 0.0, 0.0, 1.0}};
+}
+
+// Several bodies, one of which moves, and a tool among them. The models must outlive it.
 class Replay {
  public:
-  Replay(Manner manner, std::uint32_t threads) : scene_(options_of(manner, threads)) {
-    for (int i = 0; i < kBodies; ++i)
-      bodies_[i] =
-          scene_.add(i % 2 ? ball_.handle : box_.handle, i == 0 ? PLP_BODY_MOVING : PLP_BODY_STATIC,
-                     {{1.05 * (i % 3) - 1.05, 1.05 * (i / 3) - 1.05, -0.9}, {0.1 * i, 0.2, 0.05 * i, 1.0}});
-    tool_ = scene_.add(ball_.handle, PLP_BODY_TOOL, at(0, 0, 0));
+  Replay(const Models& models, Manner manner, std::uint32_t threads)
+      : course_(manner.course), scene_(options_of(manner, threads)) {
+    course_ == Course::kRoll ? place_tilted(models) : place_upright(models);
   }
 
   std::uint64_t hash() {
     Hash hash;
     for (int step = 0; step < kSteps; ++step) {
-      const plp_pose tool{{0.9 * swing(step, 160), 0.8 * swing(step, 114), 0.3 + 0.2 * swing(step, 60)},
-                          {0.4 * swing(step, 90), 0.3, 0.5 * swing(step, 140), 1.0}};
+      const plp_pose tool = course_ == Course::kRoll ? rolling(step) : flush(step);
       EXPECT_EQ(plp_scene_set_pose(scene_.handle, tool_, &tool), PLP_OK);
-      const plp_pose moved{{-1.05 + 0.1 * swing(step, 50), -1.05, -0.9}, {0.0, 0.2, 0.0, 1.0}};
-      EXPECT_EQ(plp_scene_set_pose(scene_.handle, bodies_[0], &moved), PLP_OK);
+      const double aside = 0.1 * swing(step, 50);
+      const plp_pose moved = course_ == Course::kRoll
+                                 ? plp_pose{{-1.05 + aside, -1.05, -0.9}, {0.0, 0.2, 0.0, 1.0}}
+                                 : at(-1.2 + aside, 0.0, 0.0);
+      EXPECT_EQ(plp_scene_set_pose(scene_.handle, moving_, &moved), PLP_OK);
       const plp_contacts contacts = scene_.step();
       hash.add_contacts(contacts);
       most_pairs = std::max(most_pairs, contacts.work.body_pairs);
       lmds += contacts.lmd_count;
       overlaps += contacts.overlap_count;
       by_descent += (contacts.status & PLP_STATUS_BY_DESCENT) != 0;
+      plateaus += contacts.lmd_count > contacts.set_count;
+      walls += (contacts.status & PLP_STATUS_WALL) != 0;
     }
     return hash.value();
   }
 
-  std::uint64_t most_pairs = 0, lmds = 0, overlaps = 0, by_descent = 0;
+  std::uint64_t most_pairs = 0, lmds = 0, overlaps = 0;
+  std::uint64_t by_descent = 0, plateaus = 0, walls = 0;  // steps that have some
 
  private:
   static plp_scene_options options_of(Manner manner, std::uint32_t threads) {
@@ -122,10 +150,26 @@ class Replay {
     return options;
   }
 
-  TestModel ball_{bumpy_ball(0.5f, 10)};
-  TestModel box_{box(0.45f, 0.5f, 0.4f)};
+  void place_tilted(const Models& models) {
+    for (int i = 0; i < kBodies; ++i) {
+      const plp_body body = scene_.add(
+          i % 2 ? models.ball.handle : models.box.handle, i == 0 ? PLP_BODY_MOVING : PLP_BODY_STATIC,
+          {{1.05 * (i % 3) - 1.05, 1.05 * (i / 3) - 1.05, -0.9}, {0.1 * i, 0.2, 0.05 * i, 1.0}});
+      if (i == 0) moving_ = body;
+    }
+    tool_ = scene_.add(models.ball.handle, PLP_BODY_TOOL, at(0, 0, 0));
+  }
+
+  void place_upright(const Models& models) {
+    moving_ = scene_.add(models.box.handle, PLP_BODY_MOVING, at(-1.2, 0.0, 0.0));
+    scene_.add(models.box.handle, PLP_BODY_STATIC, at(1.2, 0.0, 0.0));
+    scene_.add(models.plate.handle, PLP_BODY_STATIC, at(0.0, 0.0, -0.6));
+    tool_ = scene_.add(models.box.handle, PLP_BODY_TOOL, at(0, 0, 1));
+  }
+
+  Course course_;
   TestScene scene_;
-  plp_body bodies_[kBodies];
+  plp_body moving_ = 0;
   plp_body tool_ = 0;
 };
 
@@ -142,27 +186,45 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenTest, IsTheSameForEveryNumberOfThreads) {
+  const Models models;
   for (const std::uint32_t threads : {0u, 1u, 2u, 4u}) {
-    Replay replay(GetParam().manner, threads);
+    Replay replay(models, GetParam().manner, threads);
     const std::uint64_t hash = replay.hash();
     std::printf(
-        "%s, %u threads: %016llx; %llu LMDs, %llu overlaps, up to %llu pairs, %llu steps by descent\n",
+        "%s, %u threads: %016llx; %llu LMDs, %llu overlaps, up to %llu pairs, %llu steps by descent, %llu "
+        "with "
+        "plateaus, %llu with walls\n",
         GetParam().name, threads, static_cast<unsigned long long>(hash),
         static_cast<unsigned long long>(replay.lmds), static_cast<unsigned long long>(replay.overlaps),
         static_cast<unsigned long long>(replay.most_pairs),
-        static_cast<unsigned long long>(replay.by_descent));
+        static_cast<unsigned long long>(replay.by_descent), static_cast<unsigned long long>(replay.plateaus),
+        static_cast<unsigned long long>(replay.walls));
     EXPECT_EQ(hash, GetParam().hash) << std::hex << hash;
     EXPECT_GT(replay.lmds, 200u);
     EXPECT_GT(replay.overlaps, 0u);
+    EXPECT_GT(replay.walls, 0u);
+    EXPECT_GE(replay.plateaus, GetParam().manner.course == Course::kFlush ? 100u : 0u);
     EXPECT_GE(replay.most_pairs, 3u) << "too few to be shared by threads";
     EXPECT_EQ(replay.by_descent > 0, GetParam().manner.tick_budget > 0);
   }
 }
 
+// The models' hierarchies are built by whichever thread first needs them.
+TEST_P(GoldenTest, IsTheSameInThreadsThatShareModels) {
+  const Models models;
+  std::uint64_t hashes[4];
+  std::vector<std::thread> threads;
+  for (std::uint64_t& hash : hashes)
+    threads.emplace_back([&] { hash = Replay(models, GetParam().manner, 1).hash(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, GetParam().hash) << std::hex << hash;
+}
+
 TEST_P(GoldenTest, IsTheSameForEveryInstructionSet) {
+  const Models models;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
-    EXPECT_EQ(Replay(GetParam().manner, 1).hash(), GetParam().hash) << hwy::TargetName(target);
+    EXPECT_EQ(Replay(models, GetParam().manner, 1).hash(), GetParam().hash) << hwy::TargetName(target);
   }
   hwy::SetSupportedTargetsForTest(0);
 }
@@ -170,13 +232,17 @@ TEST_P(GoldenTest, IsTheSameForEveryInstructionSet) {
 // Taken with the release build. A change of what is computed changes them; a change of how fast must not.
 INSTANTIATE_TEST_SUITE_P(
     Modes, GoldenTest,
-    testing::Values(Golden{"global", {PLP_MODE_GLOBAL, 0}, 0xfc4085c0a975ada4},
-                    Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xccc04b336aaa53f0},
-                    Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0xfc4085c0a975ada4},
-                    Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
-                    Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
-                    Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x6a81cec487225dde},
-                    Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x7f8c335b27403499}),
+    testing::Values(
+        Golden{"global", {PLP_MODE_GLOBAL, 0}, 0xfc4085c0a975ada4},
+        Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xccc04b336aaa53f0},
+        Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0xfc4085c0a975ada4},
+        Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+        Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
+        Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x6a81cec487225dde},
+        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xf8e2865bf7f1bc5b},
+        Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xc1947714dd72cd8e},
+        Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0x7bbc93f993725d91},
+        Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x6b727342668562ef}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

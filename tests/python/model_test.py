@@ -104,6 +104,17 @@ class InfoTest(unittest.TestCase):
         self.assertGreater(model.info.tree_bytes, 0)
         self.assertIn("12 triangles", repr(model))
 
+    def test_bytes_read_and_decoded(self):
+        info = palpate.Model.from_bytes(gltf()).info
+        self.assertEqual((info.read_bytes, info.decoded_bytes), (len(gltf()), len(buffer_of_gltf())))
+        self.assertEqual((box().info.read_bytes, box().info.decoded_bytes), (0, 0))
+
+    def test_scale(self):
+        self.assertEqual(palpate.Model.from_bytes(gltf(), scale=3.0).info.bounds_max, (1.5, 1.5, 1.5))
+        self.assertEqual(palpate.Model.from_arrays(box_soup(), scale=0.5).info.bounds_min, (-0.25, -0.25, -0.25))
+        with self.assertRaises(palpate.InvalidArgument):
+            palpate.Model.from_bytes(gltf(), scale=-1.0)
+
     def test_notes_tell_what_was_repaired(self):
         self.assertEqual(box().notes, ())
         turned = palpate.Model.from_arrays(BOX_CORNERS, [triangle[::-1] for triangle in BOX_TRIANGLES])

@@ -27,7 +27,11 @@ std::optional<std::string> data_folder() {
 }
 
 std::shared_ptr<const Model> data_model(const std::string& file, double scale) {
-  const Result<GltfScene> scene = read_gltf_file(*data_folder() + "/" + file, {});
+  return file_model(*data_folder() + "/" + file, scale);
+}
+
+std::shared_ptr<const Model> file_model(const std::string& path, double scale) {
+  const Result<GltfScene> scene = read_gltf_file(path, {});
   if (!scene) throw std::runtime_error(scene.error().message);
   return make_model(scaled(bake(scene.value()), scale));
 }

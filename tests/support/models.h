@@ -17,6 +17,9 @@ std::shared_ptr<const Model> asset_model(const std::string& name, double scale =
 // The folder that PALPATE_DATA names.
 std::optional<std::string> data_folder();
 
+// A glTF file, scaled about its origin.
+std::shared_ptr<const Model> file_model(const std::string& path, double scale = 1.0);
+
 // A glTF file below PALPATE_DATA, scaled about its origin.
 std::shared_ptr<const Model> data_model(const std::string& file, double scale = 1.0);
 

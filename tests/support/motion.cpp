@@ -36,8 +36,8 @@ std::vector<Pose> sliding_motion(const Model& a, const Model& b, double cutoff, 
   DVec3 along = random.direction(), turning = random.direction();
   const double step = speed * kTick;
   std::vector<Pose> motion;
+  Nearest now = nearest(search, found, a, b, pose, cutoff);
   while (static_cast<int>(motion.size()) < ticks) {
-    const Nearest now = nearest(search, found, a, b, pose, cutoff);
     motion.push_back(pose);
     along = glm::normalize(along + kWander * random.direction());
     turning = glm::normalize(turning + kWander * random.direction());
@@ -53,9 +53,13 @@ std::vector<Pose> sliding_motion(const Model& a, const Model& b, double cutoff, 
     const DMat3 turn = glm::mat3_cast(glm::angleAxis(step / b.radius() * 0.5, turning));
     Pose next{turn * pose.rotation, DVec3(0.0)};
     next.translation = centre + move - next.rotation * b.centre();
-    for (int tries = 0; nearest(search, found, a, b, next, cutoff).overlap && tries < 60; ++tries)
+    Nearest then = nearest(search, found, a, b, next, cutoff);
+    for (int tries = 0; then.overlap && tries < 60; ++tries) {
       next = Pose{pose.rotation, pose.translation + now.normal * step * static_cast<double>(tries)};
+      then = nearest(search, found, a, b, next, cutoff);
+    }
     pose = next;
+    now = then;
   }
   return motion;
 }

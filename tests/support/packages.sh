@@ -14,6 +14,7 @@ palpate_test_packages=(
 )
 # Making packages that hold the library and all that it needs.
 palpate_package_packages=(binutils patchelf python3)
+palpate_fuzz_packages=(clang-14 libclang-rt-14-dev)
 palpate_bench_packages=(libfcl-dev libbullet-dev)
 
 missing_packages() {

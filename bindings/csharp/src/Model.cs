@@ -52,6 +52,13 @@ namespace Palpate
             set => Struct.max_triangles = value;
         }
 
+        /// <summary>All positions are multiplied by it before anything else.</summary>
+        public double Scale
+        {
+            get => Struct.scale;
+            set => Struct.scale = value;
+        }
+
         private bool HasFlag(int flag) => (Struct.flags & (uint)flag) != 0;
 
         private void SetFlag(int flag, bool on) =>

@@ -63,6 +63,8 @@ namespace Palpate
             TreeNodes = info.tree_nodes;
             LoadUs = info.load_us;
             TreeUs = info.tree_us;
+            ReadBytes = info.read_bytes;
+            DecodedBytes = info.decoded_bytes;
         }
 
         /// <summary>As it came, welded only.</summary>
@@ -89,5 +91,11 @@ namespace Palpate
         public ulong TreeNodes { get; }
         public double LoadUs { get; }
         public double TreeUs { get; }
+
+        /// <summary>Of the glTF and of the external buffers that its triangles need: no others are opened.</summary>
+        public ulong ReadBytes { get; }
+
+        /// <summary>Of the accessors and compressed streams that were decoded to triangles.</summary>
+        public ulong DecodedBytes { get; }
     }
 }

@@ -139,6 +139,7 @@ namespace Palpate
             public int gltf_scene;
             public uint reserved;
             public ulong max_triangles;
+            public double scale;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -193,6 +194,8 @@ namespace Palpate
             public ulong tree_nodes;
             public double load_us;
             public double tree_us;
+            public ulong read_bytes;
+            public ulong decoded_bytes;
         }
 
         [StructLayout(LayoutKind.Sequential)]

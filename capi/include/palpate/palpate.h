@@ -156,6 +156,7 @@ typedef struct plp_model_options {
   uint32_t reserved;
   uint64_t
       max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000; at most 1,000,000,000 */
+  double scale;      /**< all positions are multiplied by it before anything else; 1, or 0 for 1 */
 } plp_model_options;
 
 enum {
@@ -274,8 +275,12 @@ typedef struct plp_model_info {
   uint64_t mesh_bytes;  /**< memory of triangles and connectivity */
   uint64_t tree_bytes;  /**< memory of the hierarchies, one for each plp_law; 0 as long as none is built */
   uint64_t tree_nodes;
-  double load_us; /**< time to read, weld and repair */
-  double tree_us; /**< time to build the hierarchies */
+  double load_us;         /**< time to read, weld and repair */
+  double tree_us;         /**< time to build the hierarchies */
+  uint64_t read_bytes;    /**< of the glTF and of the external buffers that its triangles need: no others are
+                             opened. 0 for a model from triangles, as the next */
+  uint64_t decoded_bytes; /**< of the accessors and compressed streams that were decoded to triangles; images
+                             and animations are not */
 } plp_model_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */

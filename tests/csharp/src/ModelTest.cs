@@ -19,6 +19,12 @@ namespace Palpate.Tests
                 Assert.IsTrue(info.Searched.Watertight);
                 Assert.AreEqual(Orientation.Outward, info.Searched.Orientation);
                 Assert.IsTrue(info.Diagonal > 0 && info.BoundsMin.X < info.BoundsMax.X);
+                Assert.AreEqual((ulong)new FileInfo(Samples.ModelPath("box.glb")).Length, info.ReadBytes);
+                Assert.IsTrue(info.DecodedBytes > 0 && info.DecodedBytes < info.ReadBytes);
+                using (Model twice = Model.Load(Samples.ModelPath("box.glb"), new ModelOptions { Scale = 2 }))
+                {
+                    Assert.AreEqual(2 * info.Diagonal, twice.Info.Diagonal, 1e-12);
+                }
             }
         }
 

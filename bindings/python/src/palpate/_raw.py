@@ -123,6 +123,7 @@ class plp_model_options(Structure):
         ("gltf_scene", c_int32),
         ("reserved", c_uint32),
         ("max_triangles", c_uint64),
+        ("scale", c_double),
     ]
 
 
@@ -177,6 +178,8 @@ class plp_model_info(Structure):
         ("tree_nodes", c_uint64),
         ("load_us", c_double),
         ("tree_us", c_double),
+        ("read_bytes", c_uint64),
+        ("decoded_bytes", c_uint64),
     ]
 
 

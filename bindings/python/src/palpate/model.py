@@ -62,6 +62,10 @@ class ModelInfo:
     tree_nodes: int
     load_us: float
     tree_us: float
+    read_bytes: int
+    """Of the glTF and of the external buffers that its triangles need: no others are opened."""
+    decoded_bytes: int
+    """Of the accessors and compressed streams that were decoded to triangles."""
 
 
 def _surface_counts(struct: _raw.plp_surface_counts) -> SurfaceCounts:
@@ -85,7 +89,7 @@ def _fields(struct: ctypes.Structure) -> dict[str, Any]:
 
 
 def model_options(weld_tolerance: float, double_sided: bool, keep_winding: bool, scene: int | None,
-                  max_triangles: int) -> _raw.plp_model_options:
+                  max_triangles: int, scale: float = 1.0) -> _raw.plp_model_options:
     options = _raw.plp_model_options()
     _raw.plp_model_options_init(options, ctypes.sizeof(options))
     options.weld_tolerance = weld_tolerance
@@ -94,6 +98,7 @@ def model_options(weld_tolerance: float, double_sided: bool, keep_winding: bool,
     if scene is not None:
         options.gltf_scene = int32(scene, "scene")
     options.max_triangles = uint64(max_triangles, "max_triangles")
+    options.scale = scale
     return options
 
 
@@ -109,37 +114,39 @@ class Model(Closing):
 
     Options of all that make one: `weld_tolerance` in metres (0 welds equal positions only); `double_sided` lets both
     sides of every triangle be touched; `keep_winding` trusts the winding as it comes; more than `max_triangles` raise
-    LimitExceeded (0: 100,000,000); `scene` is the index of the glTF scene (None: the file's default one)."""
+    LimitExceeded (0: 100,000,000); `scene` is the index of the glTF scene (None: the file's default one); all positions
+    are multiplied by `scale` before anything else."""
 
     @classmethod
     def load(cls, path: str | bytes | os.PathLike[Any], *, weld_tolerance: float = 0.0, double_sided: bool = False,
-             keep_winding: bool = False, scene: int | None = None, max_triangles: int = 0) -> "Model":
+             keep_winding: bool = False, scene: int | None = None, max_triangles: int = 0,
+             scale: float = 1.0) -> "Model":
         """Loads a .gltf or .glb file, the whole scene baked into one model. External buffers come only from the
         file's own folder or below."""
-        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles)
+        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
         return cls(create(_raw.plp_model_load_file, _raw.plp_model_release, encoded_path(path), options))
 
     @classmethod
     def from_bytes(cls, data: Any, folder: str | bytes | os.PathLike[Any] | None = None, *,
                    weld_tolerance: float = 0.0, double_sided: bool = False, keep_winding: bool = False,
-                   scene: int | None = None, max_triangles: int = 0) -> "Model":
+                   scene: int | None = None, max_triangles: int = 0, scale: float = 1.0) -> "Model":
         """From the bytes of a .gltf or .glb file, in anything that has a buffer. `folder` is where external buffers
         are, None if there are none."""
         content = data if isinstance(data, bytes) else bytes(memoryview(data))
-        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles)
+        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
         return cls(create(_raw.plp_model_load_memory, _raw.plp_model_release, content, len(content),
                           None if folder is None else encoded_path(folder), options))
 
     @classmethod
     def from_arrays(cls, positions: Any, indices: Any = None, *, space: Space | None = None,
                     weld_tolerance: float = 0.0, double_sided: bool = False, keep_winding: bool = False,
-                    max_triangles: int = 0) -> "Model":
+                    max_triangles: int = 0, scale: float = 1.0) -> "Model":
         """From positions of shape (n, 3) and triangles of shape (m, 3), counter-clockwise seen from outside; without
         indices every three positions are a triangle. numpy arrays of float32 or float64 and of uint8, uint16 or uint32
         are read in place, also when their rows are apart. `space` is that of the positions."""
         vertices = position_rows(positions)
         corners = None if indices is None else index_rows(indices)
-        options = model_options(weld_tolerance, double_sided, keep_winding, None, max_triangles)
+        options = model_options(weld_tolerance, double_sided, keep_winding, None, max_triangles, scale)
         return cls(create(_raw.plp_model_create_from_triangles, _raw.plp_model_release,
                           triangles_struct(vertices, corners, space), options))
 

@@ -228,13 +228,14 @@ class Scene(Closing):
 
     def load_gltf(self, path: str | bytes | os.PathLike[Any], *, tool: str | None = None, pose: PoseLike = Pose(),
                   cutoff: float | None = None, weld_tolerance: float = 0.0, double_sided: bool = False,
-                  keep_winding: bool = False, scene: int | None = None, max_triangles: int = 0) -> list[Body]:
+                  keep_winding: bool = False, scene: int | None = None, max_triangles: int = 0,
+                  scale: float = 1.0) -> list[Body]:
         """Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children; all or, on an
         error, none. Nodes that share a mesh and a scale share a model. `tool` names the node that is the tool, with all
         that is below it. `pose` is that of the file's scene in this one. `cutoff`: None leaves it as it is. Materials
         come from `extras` (stiffness, damping, friction), MPEG_material_haptic and KHR_physics_rigid_bodies, as
         palpate.h tells. The other options are those of Model.load()."""
-        model = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles)
+        model = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
         name = None if tool is None else text_bytes(tool, "tool")
         options = gltf_scene_options(name, pose, cutoff, model)
         ids = (c_uint64 * _MOST_NODES)()

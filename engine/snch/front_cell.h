@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/snch/node_batch.h"
+
+namespace palpate {
+
+// A pair of nodes and all pairs that a traversal opens beneath it. Nodes are in depth-first order, so those
+// beneath one follow it.
+struct FrontCell {
+  NodePair root;
+  std::uint32_t end_a;  // after the last node beneath root.a
+  std::uint32_t end_b;
+
+  static FrontCell whole(const Tree& a, const Tree& b) {
+    return {{0, 0}, static_cast<std::uint32_t>(a.node_count()), static_cast<std::uint32_t>(b.node_count())};
+  }
+
+  bool holds(const NodePair& pair) const {
+    return pair.a - root.a < end_a - root.a && pair.b - root.b < end_b - root.b;  // wraps below the root
+  }
+
+  // The child that holds a pair of nodes beneath the root. Which node is opened depends on the two alone.
+  FrontCell child_towards(const NodePair& pair, const Node& a, const Node& b, bool opens_first) const {
+    FrontCell child = *this;
+    if (opens_first) {
+      narrow(child.root.a, child.end_a, pair.a, a.second_child());
+    } else {
+      narrow(child.root.b, child.end_b, pair.b, b.second_child());
+    }
+    return child;
+  }
+
+ private:
+  static void narrow(std::uint32_t& root, std::uint32_t& end, std::uint32_t towards, std::uint32_t second) {
+    if (towards < second) {
+      ++root, end = second;
+    } else {
+      root = second;
+    }
+  }
+};
+
+// The cells above one entry of a front, the lowest of them, each with the number of entries that it holds.
+class CellsAbove {
+ public:
+  static constexpr std::size_t kMostLevels = 16;
+
+  // At most `levels`. The entry must be on the front that is counted.
+  CellsAbove(const NodeBatch& batch, const Tree& a, const Tree& b, const NodePair& entry,
+             std::size_t levels) {
+    std::array<FrontCell, kMostLevels> last;  // on the way down, in turn
+    std::size_t depth = 0;
+    for (FrontCell cell = FrontCell::whole(a, b);;) {
+      last[depth++ % kMostLevels] = cell;
+      if (cell.root.a == entry.a && cell.root.b == entry.b) break;
+      const Node &node_a = a.node(cell.root.a), &node_b = b.node(cell.root.b);
+      cell = cell.child_towards(entry, node_a, node_b, batch.opens_first(node_a, node_b));
+    }
+    levels_ = std::min({levels, depth, kMostLevels});
+    for (std::size_t up = 0; up < levels_; ++up) cells_[up] = last[(depth - 1 - up) % kMostLevels];
+  }
+
+  void count(const NodePair& entry) {
+    std::size_t up = levels_ - 1;
+    if (!cells_[up].holds(entry)) return;
+    while (up > 0 && cells_[up - 1].holds(entry)) --up;
+    ++held_[up];
+  }
+
+  // How far above the entry the highest is that holds at most so many; 0: the entry itself.
+  std::size_t highest_of(std::size_t most) const {
+    std::size_t chosen = 0;
+    for (std::size_t up = 0, held = 0; up < levels_ && (held += held_[up]) <= most; ++up) chosen = up;
+    return chosen;
+  }
+
+  const FrontCell& operator[](std::size_t up) const { return cells_[up]; }
+  std::size_t levels() const { return levels_; }
+
+ private:
+  std::array<FrontCell, kMostLevels> cells_;
+  std::array<std::size_t, kMostLevels> held_{};  // what the next lower one does not hold
+  std::size_t levels_ = 0;
+};
+
+}  // namespace palpate

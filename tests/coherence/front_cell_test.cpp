@@ -1,0 +1,91 @@
+// Cells of a traversal: the way from the whole to a pair of nodes, and what each on it holds.
+#include "engine/snch/front_cell.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/models.h"
+#include "tests/support/random_poses.h"
+
+namespace palpate {
+namespace {
+
+constexpr std::uint64_t kSeed = 9;
+
+class FrontCells : public testing::Test {
+ protected:
+  std::shared_ptr<const Model> a_ = asset_model("torus"), b_ = asset_model("teapot_5600", 0.3);
+  Placement placement_{a_->mesh().frame, b_->mesh().frame, Pose{DMat3(1.0), DVec3(0.0)}};
+  NodeBatch batch_{a_->tree(), b_->tree(), placement_, 0.01};
+  Random random_{kSeed};
+
+  bool is_leaf(const NodePair& pair) const {
+    return a_->tree().node(pair.a).is_leaf() && b_->tree().node(pair.b).is_leaf();
+  }
+
+  std::vector<NodePair> children(const NodePair& pair) const {
+    const Node &a = a_->tree().node(pair.a), &b = b_->tree().node(pair.b);
+    if (batch_.opens_first(a, b)) return {{pair.a + 1, pair.b}, {a.second_child(), pair.b}};
+    return {{pair.a, pair.b + 1}, {pair.a, b.second_child()}};
+  }
+
+  // Pairs that a traversal opens one after another, down to two leaves.
+  std::vector<NodePair> way_down() {
+    std::vector<NodePair> way{{0, 0}};
+    while (!is_leaf(way.back())) way.push_back(children(way.back())[random_.below(2)]);
+    return way;
+  }
+
+  CellsAbove above(const NodePair& pair, std::size_t levels) const {
+    return {batch_, a_->tree(), b_->tree(), pair, levels};
+  }
+};
+
+bool same(const NodePair& one, const NodePair& other) {
+  return one.a == other.a && one.b == other.b;
+}
+
+TEST_F(FrontCells, AreThoseOnTheWayFromTheWhole) {
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<NodePair> way = way_down();
+    const CellsAbove cells = above(way.back(), CellsAbove::kMostLevels);
+    ASSERT_EQ(cells.levels(), std::min(way.size(), CellsAbove::kMostLevels));
+    for (std::size_t up = 0; up < cells.levels(); ++up)
+      ASSERT_TRUE(same(cells[up].root, way[way.size() - 1 - up])) << "seed " << kSeed << " way " << i;
+  }
+}
+
+// A pair is in the cell of another if the traversal comes to it by that one.
+TEST_F(FrontCells, HoldWhatIsOpenedBeneathThem) {
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<NodePair> way = way_down(), other = way_down();
+    const CellsAbove cells = above(way.back(), CellsAbove::kMostLevels);
+    for (std::size_t up = 0; up < cells.levels(); ++up) {
+      const std::size_t level = way.size() - 1 - up;
+      for (std::size_t k = 0; k < other.size(); ++k) {
+        const bool beneath = k >= level && level < other.size() && same(other[level], way[level]);
+        ASSERT_EQ(cells[up].holds(other[k]), beneath) << "seed " << kSeed << " ways " << i;
+      }
+    }
+  }
+}
+
+TEST_F(FrontCells, TheHighestThatHoldsFewIsChosen) {
+  const std::vector<NodePair> way = way_down();
+  CellsAbove cells = above(way.back(), 5);
+  ASSERT_EQ(cells.levels(), 5u);
+  // Of each level the child that is not on the way, and the end: 1, 2, 3, 4, 5 entries in ever higher cells.
+  cells.count(way.back());
+  for (std::size_t up = 1; up < 5; ++up) {
+    const NodePair parent = way[way.size() - 1 - up], on_way = way[way.size() - up];
+    for (const NodePair& child : children(parent))
+      if (!same(child, on_way)) cells.count(child);
+  }
+  EXPECT_EQ(cells.highest_of(0), 0u);
+  for (std::size_t most = 1; most < 5; ++most) EXPECT_EQ(cells.highest_of(most), most - 1);
+  EXPECT_EQ(cells.highest_of(100), 4u);
+}
+
+}  // namespace
+}  // namespace palpate

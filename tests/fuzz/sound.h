@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "palpate/palpate.h"
+
+namespace palpate::fuzz {
+
+// What a target throws when the library breaks a promise.
+struct Broken : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline void require(bool condition, const char* promise) {
+  if (!condition) throw Broken(promise);
+}
+
+// A known result, and a sentence with every error.
+plp_result checked(plp_result result);
+
+// What every outcome keeps, whatever was asked: finite, unit normals, nothing beyond the cutoff (metres).
+void require_sound(const plp_contacts& contacts, double cutoff);
+
+// The same of a device: no NaN to the hand.
+void require_sound(const plp_device_state& state);
+
+}  // namespace palpate::fuzz

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace palpate::fuzz {
+
+// Each takes any bytes, drives the C ABI with them, and throws Broken if it breaks a promise.
+void gltf(std::span<const std::uint8_t> bytes);       // bytes of a .gltf or .glb file
+void triangles(std::span<const std::uint8_t> bytes);  // arrays of a caller, and poses of what comes of them
+void calls(std::span<const std::uint8_t> bytes);      // sequences of calls
+
+}  // namespace palpate::fuzz
