@@ -2,6 +2,7 @@
 
 #include "capi/src/handles.h"
 #include "capi/src/structs.h"
+#include "capi/src/text.h"
 #include "engine/device/registry.h"
 
 namespace palpate::capi {
@@ -18,14 +19,6 @@ static_assert(static_cast<int>(DeviceCondition::kNoLibrary) == PLP_CONDITION_NO_
 static_assert(static_cast<int>(DeviceCondition::kWrongLibrary) == PLP_CONDITION_WRONG_LIBRARY);
 static_assert(static_cast<int>(DeviceCondition::kCannotOpen) == PLP_CONDITION_CANNOT_OPEN);
 static_assert(static_cast<int>(DeviceCondition::kWithheld) == PLP_CONDITION_WITHHELD);
-
-// Cut where it is too long.
-template <std::size_t kSize>
-void store_text(const std::string& text, char (&out)[kSize]) {
-  const std::size_t length = std::min(text.size(), kSize - 1);
-  std::copy_n(text.data(), length, out);
-  out[length] = 0;
-}
 
 void store_limits(const DeviceLimits& limits, plp_device_info& out) {
   out.max_force = limits.max_force;

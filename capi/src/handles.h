@@ -81,6 +81,14 @@ void require_handle(const Pin& pin, const char* name) {
   if (!pin) refuse(ErrorCode::kInvalidHandle, std::string(name) + " is null, released or of another kind");
 }
 
+inline HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {
+  return scene_table().pin(bits_of(scene));
+}
+
+inline void require_body(bool found) {
+  if (!found) refuse(ErrorCode::kInvalidHandle, "body is none of this scene");
+}
+
 // Puts `object` into `table`; refuses with PLP_ERROR_LIMIT if that is full.
 template <class Handle, class T>
 Handle new_handle(HandleTable<T>& table, std::unique_ptr<T> object) {

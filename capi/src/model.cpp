@@ -1,9 +1,7 @@
-#include <filesystem>
 #include <span>
 
 #include "capi/src/handles.h"
-#include "capi/src/log.h"
-#include "capi/src/numbers.h"
+#include "capi/src/model_options.h"
 #include "capi/src/structs.h"
 #include "capi/src/triangles.h"
 #include "engine/base/clock.h"
@@ -12,64 +10,10 @@
 namespace palpate::capi {
 namespace {
 
-constexpr std::uint64_t kDefaultMaxTriangles = 100'000'000;
-// Three corners a triangle are counted in 32 bits.
-constexpr std::uint64_t kLibraryMaxTriangles = 1'000'000'000;
-constexpr std::uint32_t kKnownFlags = PLP_MODEL_DOUBLE_SIDED | PLP_MODEL_KEEP_WINDING;
-
-plp_model_options default_model_options() {
-  plp_model_options options{};
-  options.struct_size = sizeof options;
-  options.gltf_scene = -1;
-  options.scale = 1.0;
-  return options;
-}
-
-plp_model_options checked_model_options(const plp_model_options* given) {
-  if (!given) return default_model_options();
-  const plp_model_options options = read_struct(given, "options");
-  require((options.flags & ~kKnownFlags) == 0, "options->flags has a flag that this version does not know");
-  require(options.reserved == 0, "options->reserved is not zero");
-  require(options.gltf_scene >= -1, "options->gltf_scene is less than -1");
-  checked_not_negative(options.weld_tolerance, "options->weld_tolerance");
-  checked_not_negative(options.scale, "options->scale");
-  return options;
-}
-
-std::uint64_t max_triangles(const plp_model_options& options) {
-  const std::uint64_t wanted = options.max_triangles != 0 ? options.max_triangles : kDefaultMaxTriangles;
-  return std::min(wanted, kLibraryMaxTriangles);
-}
-
-MeshOptions mesh_options(const plp_model_options& options) {
-  MeshOptions mesh;
-  mesh.weld_tolerance = options.weld_tolerance;
-  mesh.all_double_sided = (options.flags & PLP_MODEL_DOUBLE_SIDED) != 0;
-  mesh.keep_winding = (options.flags & PLP_MODEL_KEEP_WINDING) != 0;
-  return mesh;
-}
-
-GltfOptions gltf_options(const plp_model_options& options) {
-  GltfOptions gltf;
-  gltf.scene = options.gltf_scene;
-  gltf.limits.max_triangles = max_triangles(options);
-  return gltf;
-}
-
-std::filesystem::path path_of(const char* utf8) {
-  return {reinterpret_cast<const char8_t*>(utf8)};
-}
-
-void log_model(const std::string& name, const MeshReport& report, double load_us) {
-  for (const std::string& note : report.notes) log_quietly(LogLevel::kWarning, name + ": " + note);
-  log_quietly(LogLevel::kInfo, name + ": " + std::to_string(report.final.triangles) + " triangles and " +
-                                   std::to_string(report.final.vertices) + " vertices in " +
-                                   std::to_string(static_cast<std::uint64_t>(load_us)) + " us");
-}
-
 TriangleSoup scaled(TriangleSoup soup, const plp_model_options& options) {
-  if (options.scale == 0.0 || options.scale == 1.0) return soup;
-  for (DVec3& position : soup.positions) position *= options.scale;
+  const double scale = scale_of(options);
+  if (scale == 1.0) return soup;
+  for (DVec3& position : soup.positions) position *= scale;
   return soup;
 }
 
@@ -119,7 +63,7 @@ plp_result plp_model_load_file(const char* path, const plp_model_options* option
     const Stopwatch watch;
     require(path && *path, "path is null or empty");
     require(model, "model is null");
-    const plp_model_options checked = checked_model_options(options);
+    const plp_model_options checked = checked_model_options(options, "options");
     const GltfScene scene = value_or_refuse(read_gltf_file(path_of(path), gltf_options(checked)));
     *model = new_gltf_model(scene, checked, path, watch);
   });
@@ -131,7 +75,7 @@ plp_result plp_model_load_memory(const void* data, size_t size, const char* fold
     const Stopwatch watch;
     require(data, "data is null");
     require(model, "model is null");
-    const plp_model_options checked = checked_model_options(options);
+    const plp_model_options checked = checked_model_options(options, "options");
     const std::span bytes(static_cast<const std::byte*>(data), size);
     const std::string name = "glTF in memory";
     const GltfScene scene =
@@ -154,7 +98,7 @@ plp_result plp_model_create_from_triangles(const plp_triangles* triangles, const
     const Stopwatch watch;
     require(model, "model is null");
     const plp_triangles given = read_struct(triangles, "triangles");
-    const plp_model_options checked = checked_model_options(options);
+    const plp_model_options checked = checked_model_options(options, "options");
     *model = new_model(read_triangles(given, max_triangles(checked)), {}, checked, "triangles", watch);
   });
 }

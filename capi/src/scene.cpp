@@ -1,5 +1,6 @@
 #include <system_error>
 
+#include "capi/src/cutoff.h"
 #include "capi/src/handles.h"
 #include "capi/src/law.h"
 #include "capi/src/numbers.h"
@@ -7,10 +8,6 @@
 
 namespace palpate::capi {
 namespace {
-
-double cutoff_in(const Space& space, double cutoff, const char* name) {
-  return checked_positive(space.length_in(checked(cutoff, name)), name);
-}
 
 BodyKind kind_of(const plp_body_options& options) {
   switch (raw_enum(options.kind)) {
@@ -43,6 +40,14 @@ double time_step_of(double seconds) {
   return seconds;
 }
 
+bool is_intangible(const plp_body_options& options, BodyKind kind) {
+  require(options.intangible == 0 || options.intangible == 1, "options->intangible is neither 0 nor 1");
+  require(options.reserved == 0, "options->reserved is not zero");
+  require(options.intangible == 0 || kind != BodyKind::kTool,
+          "options->intangible is 1 and the body is the tool");
+  return options.intangible == 1;
+}
+
 // All but the model.
 BodyOptions body_in(const plp_body_options& options, const Space& space) {
   BodyOptions body;
@@ -51,6 +56,7 @@ BodyOptions body_in(const plp_body_options& options, const Space& space) {
   body.stiffness = checked_not_negative(options.stiffness, "options->stiffness");
   body.damping = checked_not_negative(options.damping, "options->damping");
   body.friction = checked(options.friction, "options->friction");
+  body.intangible = is_intangible(options, body.kind);
   body.reference_point =
       checked(space.point_in(vector_of(options.reference_point)), "options->reference_point");
   return body;
@@ -87,16 +93,8 @@ std::unique_ptr<SceneObject> new_scene(const plp_scene_options& options) {
   return object;
 }
 
-HandleTable<SceneObject>::Pin pin_scene(plp_scene scene) {
-  return scene_table().pin(bits_of(scene));
-}
-
 void show_newest(SceneObject& object) {
   object.scene.visit_newer([&](const Contacts& contacts) { object.arrays.assign(contacts, object.space); });
-}
-
-void require_body(bool found) {
-  if (!found) refuse(ErrorCode::kInvalidHandle, "body is none of this scene");
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ inline constexpr std::uint32_t kFirstSize<plp_scene_options> = 56;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_body_options> = 104;
 template <>
+inline constexpr std::uint32_t kFirstSize<plp_body_info> = 312;
+template <>
+inline constexpr std::uint32_t kFirstSize<plp_gltf_scene_options> = 88;
+template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_options> = 24;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_servo_state> = 160;
@@ -47,7 +51,7 @@ inline constexpr std::uint32_t kFirstSize<plp_recording> = 32;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_trace_info> = 48;
 template <>
-inline constexpr std::uint32_t kFirstSize<plp_trace_body> = 104;
+inline constexpr std::uint32_t kFirstSize<plp_trace_body> = 112;
 template <>
 inline constexpr std::uint32_t kFirstSize<plp_trace_tick> = 296;
 

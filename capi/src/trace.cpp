@@ -84,6 +84,7 @@ plp_trace_body body_of(const TracedBody& traced, const TraceObject& trace) {
   body.damping = traced.body.damping;
   body.friction = traced.body.friction;
   write_point(trace.space, traced.body.reference_point, body.reference_point);
+  body.intangible = static_cast<std::int32_t>(traced.body.intangible);
   body.first_tick = traced.first_tick.value_or(ticks);
   body.end_tick = traced.end_tick.value_or(ticks);
   return body;

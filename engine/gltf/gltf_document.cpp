@@ -35,7 +35,7 @@ constexpr JsonProperty kSparseIndices[] = {
     {"bufferView", kIndex, true}, {"byteOffset", kIndex}, {"componentType", kIndex, true}};
 constexpr JsonProperty kSparseValues[] = {{"bufferView", kIndex, true}, {"byteOffset", kIndex}};
 constexpr JsonProperty kMaterial[] = {{"doubleSided", kFlag}};
-constexpr JsonProperty kMesh[] = {{"primitives", kArray, true}, {"weights", kNumbers}};
+constexpr JsonProperty kMesh[] = {{"name", kText}, {"primitives", kArray, true}, {"weights", kNumbers}};
 constexpr JsonProperty kPrimitive[] = {{"attributes", kIndexByName, true},
                                        {"indices", kIndex},
                                        {"material", kIndex},
@@ -212,16 +212,17 @@ void load_model(const Json& root, tinygltf::Model& model) {
 
 }  // namespace
 
-GltfDocument read_document(std::string_view json_text, const GltfLimits& limits) {
+GltfDocument read_document(std::string_view json_text, const GltfOptions& options) {
   Json root = parse_json(json_text);
   reduce_asset(root);
   check_required_extensions(root);
   GltfDocument document;
+  if (options.hierarchy) document.haptics = read_haptics(root);
   take_buffers(root, document);
   reduce_views(root, document);
   reduce_accessors(root);
   reduce_meshes(root, document);
-  reduce_nodes(root, document, limits);
+  reduce_nodes(root, document, options.limits);
   reduce_all(root, "materials", "material", kMaterial);
   reduce_all(root, "scenes", "scene", kScene);
   reduce_all(root, "skins", "skin", kSkin);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/gltf/gltf_options.h"
+#include "engine/gltf/haptic_properties.h"
 
 namespace palpate::gltf {
 
@@ -53,8 +54,9 @@ struct GltfDocument {
   std::vector<std::optional<MeshoptBlock>> meshopt;           // by bufferView
   std::vector<std::vector<PrimitiveExtra>> primitive_extras;  // by mesh and primitive
   std::vector<std::map<std::string, int>> instancing;         // accessors of EXT_mesh_gpu_instancing, by node
+  HapticProperties haptics;                                   // if GltfOptions::hierarchy
 };
 
-GltfDocument read_document(std::string_view json_text, const GltfLimits& limits);
+GltfDocument read_document(std::string_view json_text, const GltfOptions& options);
 
 }  // namespace palpate::gltf

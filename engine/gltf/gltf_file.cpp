@@ -18,7 +18,7 @@ namespace {
 GltfScene read_scene(std::span<const std::byte> bytes, const std::filesystem::path& folder,
                      const GltfOptions& options, gltf::LoadBudget& budget) {
   const gltf::Container container = gltf::open_container(bytes);
-  const gltf::GltfDocument document = gltf::read_document(container.json, options.limits);
+  const gltf::GltfDocument document = gltf::read_document(container.json, options);
   gltf::BufferStore buffers(document, container, folder, budget);
   GltfScene scene = gltf::SceneReader(document, buffers, budget, options).read();
   scene.tally = budget.tally;

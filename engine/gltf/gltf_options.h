@@ -14,7 +14,8 @@ struct GltfLimits {
 };
 
 struct GltfOptions {
-  int scene = -1;  // −1: the file's default scene
+  int scene = -1;          // −1: the file's default scene
+  bool hierarchy = false;  // read GltfScene::nodes, too
   GltfLimits limits;
 };
 

@@ -6,19 +6,22 @@
 namespace palpate {
 namespace {
 
-bool any_double_sided(const GltfScene& scene) {
-  for (const GltfInstance& instance : scene.instances) {
-    if (!scene.meshes[instance.mesh].double_sided.empty()) return true;
+using Meshes = std::vector<TriangleSoup>;
+using Instances = std::span<const GltfInstance>;
+
+bool any_double_sided(const Meshes& meshes, Instances instances) {
+  for (const GltfInstance& instance : instances) {
+    if (!meshes[instance.mesh].double_sided.empty()) return true;
   }
   return false;
 }
 
-void reserve(const GltfScene& scene, TriangleSoup& soup) {
+void reserve(const Meshes& meshes, Instances instances, TriangleSoup& soup) {
   std::size_t positions = 0;
   std::size_t triangles = 0;
-  for (const GltfInstance& instance : scene.instances) {
-    positions += scene.meshes[instance.mesh].positions.size();
-    triangles += scene.meshes[instance.mesh].triangles.size();
+  for (const GltfInstance& instance : instances) {
+    positions += meshes[instance.mesh].positions.size();
+    triangles += meshes[instance.mesh].triangles.size();
   }
   soup.positions.reserve(positions);
   soup.triangles.reserve(triangles);
@@ -39,18 +42,22 @@ void append(const TriangleSoup& mesh, const DMat4& scene_from_mesh, TriangleSoup
 
 }  // namespace
 
-TriangleSoup bake(const GltfScene& scene) {
+TriangleSoup bake(const Meshes& meshes, Instances instances) {
   TriangleSoup soup;
-  reserve(scene, soup);
-  const bool flags = any_double_sided(scene);
-  for (const GltfInstance& instance : scene.instances) {
-    const TriangleSoup& mesh = scene.meshes[instance.mesh];
+  reserve(meshes, instances, soup);
+  const bool flags = any_double_sided(meshes, instances);
+  for (const GltfInstance& instance : instances) {
+    const TriangleSoup& mesh = meshes[instance.mesh];
     append(mesh, instance.scene_from_mesh, soup);
     if (!flags) continue;
     soup.double_sided.insert(soup.double_sided.end(), mesh.double_sided.begin(), mesh.double_sided.end());
     soup.double_sided.resize(soup.triangles.size(), false);
   }
   return soup;
+}
+
+TriangleSoup bake(const GltfScene& scene) {
+  return bake(scene.meshes, scene.instances);
 }
 
 }  // namespace palpate

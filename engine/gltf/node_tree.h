@@ -16,6 +16,7 @@ class NodeTree {
   // Throws kBadFormat if there is no such node, kNonFinite if its transform is out of range.
   const DMat4& scene_from_node(int index) const;
 
+  int parent(int index) const { return parents_[static_cast<std::size_t>(index)]; }  // −1: a root
   std::vector<int> roots() const;
 
   // The nodes below and including `roots`, each once, parents before children and siblings in order. Throws

@@ -12,10 +12,11 @@ constexpr std::string_view kRead[] = {"KHR_mesh_quantization", "KHR_draco_mesh_c
                                       "EXT_mesh_gpu_instancing"};
 
 constexpr std::string_view kHarmlessPrefixes[] = {
-    "KHR_materials_", "KHR_texture_",          "KHR_lights_",    "KHR_xmp",
-    "KHR_animation_", "KHR_techniques_",       "EXT_materials_", "EXT_texture_",
-    "EXT_lights_",    "MSFT_texture_",         "MSFT_packing_",  "ADOBE_materials_",
-    "KHR_audio",      "EXT_property_animation"};
+    "KHR_materials_", "KHR_texture_",           "KHR_lights_",    "KHR_xmp",
+    "KHR_animation_", "KHR_techniques_",        "EXT_materials_", "EXT_texture_",
+    "EXT_lights_",    "MSFT_texture_",          "MSFT_packing_",  "ADOBE_materials_",
+    "KHR_audio",      "EXT_property_animation", "KHR_physics_",   "KHR_implicit_shapes",
+    "MPEG_haptic",    "MPEG_material_haptic"};
 
 bool changes_geometry(std::string_view name) {
   if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) return false;

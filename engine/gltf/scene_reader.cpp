@@ -20,19 +20,57 @@ SceneReader::SceneReader(const GltfDocument& document, BufferStore& buffers, Loa
     : document_(document),
       budget_(budget),
       wanted_scene_(options.scene),
+      hierarchy_(options.hierarchy),
       accessors_(document, buffers, budget),
       tree_(document, options.limits),
       meshes_(document, accessors_, budget, scene_.notes) {}
 
 GltfScene SceneReader::read() && {
-  for (const int node : tree_.walk(scene_roots()))
-    within("node", static_cast<std::size_t>(node), [&] { read_node(node); });
+  const std::vector<int> order = tree_.walk(scene_roots());
+  for (const int node : order) within("node", static_cast<std::size_t>(node), [&] { read_node(node); });
   if (scene_.instances.empty()) {
     if (meshes_.skipped() == 0) fail(ErrorCode::kNoTriangles, "the scene has no triangles");
     fail(ErrorCode::kNoTriangles,
          "the scene has no triangles (primitives of points or lines: ", meshes_.skipped(), ")");
   }
+  if (hierarchy_) read_hierarchy(order);
   return std::move(scene_);
+}
+
+// In `order` parents come before their children.
+void SceneReader::read_hierarchy(const std::vector<int>& order) {
+  std::vector<std::int32_t> places(document_.model.nodes.size(), -1);
+  scene_.filters = document_.haptics.filters;
+  scene_.notes.insert(scene_.notes.end(), document_.haptics.notes.begin(), document_.haptics.notes.end());
+  for (const int index : order) {
+    GltfNode node = node_of(index);
+    node.parent = tree_.parent(index) < 0 ? -1 : places[static_cast<std::size_t>(tree_.parent(index))];
+    if (node.parent >= 0) node.moves |= scene_.nodes[static_cast<std::size_t>(node.parent)].moves;
+    places[static_cast<std::size_t>(index)] = static_cast<std::int32_t>(scene_.nodes.size());
+    scene_.nodes.push_back(std::move(node));
+  }
+}
+
+// What the node says of itself, its mesh says of it, and its physics material, in this order.
+GltfNode SceneReader::node_of(int index) const {
+  const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(index)];
+  const NodeHaptics& haptics = document_.haptics.nodes[static_cast<std::size_t>(index)];
+  GltfNode read;
+  read.index = static_cast<std::uint32_t>(index);
+  read.name = node.name;
+  read.scene_from_node = tree_.scene_from_node(index);
+  read.moves = haptics.moves;
+  read.solid = haptics.solid;
+  read.filter = haptics.collision_filter;
+  read.material = haptics.material;
+  if (node.mesh >= 0 && node.name.empty())
+    read.name = document_.model.meshes[static_cast<std::size_t>(node.mesh)].name;
+  if (node.mesh >= 0)
+    read.material = first_of(read.material, document_.haptics.meshes[static_cast<std::size_t>(node.mesh)]);
+  if (haptics.physics_material >= 0)
+    read.material = first_of(read.material,
+                             document_.haptics.frictions[static_cast<std::size_t>(haptics.physics_material)]);
+  return read;
 }
 
 std::vector<int> SceneReader::scene_roots() {

@@ -26,6 +26,8 @@ class SceneReader {
 
   std::vector<int> scene_roots();
   void read_node(int index);
+  void read_hierarchy(const std::vector<int>& order);
+  GltfNode node_of(int index) const;
   std::uint32_t soup_of(const SoupKey& key);
   SoupKey key_of(const tinygltf::Node& node) const;
   std::vector<DMat4> places_of(int index, std::uint64_t triangles);
@@ -33,6 +35,7 @@ class SceneReader {
   const GltfDocument& document_;
   LoadBudget& budget_;
   int wanted_scene_;
+  bool hierarchy_;
   AccessorReader accessors_;
   NodeTree tree_;
   GltfScene scene_;

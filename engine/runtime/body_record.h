@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "engine/exchange/flag.h"
 #include "engine/exchange/triple_slot.h"
@@ -33,16 +35,30 @@ class PosePost : public Command {
   Flag posted_;
 };
 
+// Where a body stands in the hierarchy of the file that it comes from.
+struct BodyNode {
+  std::string name;              // "" if it has none
+  std::int32_t index = -1;       // in the file; −1: it comes from none
+  BodyId above = 0;              // the nearest body in the hierarchy; 0: none
+  DMat4 above_from_parent{1.0};  // the node's parent, in the frame of the body above or else of the scene
+  DMat4 body_from_node{1.0};     // what of the node's transform its model holds
+};
+
+// A body that is to be added. `above` of its node is its place among the new ones, counted from 1.
+struct NewBody {
+  BodyOptions options;
+  BodyNode node;
+};
+
 // A body as those who change the scene see it.
 struct BodyRecord {
   explicit BodyRecord(BodyId its_id) : id(its_id), post(its_id) {}
 
   const BodyId id;
-  BodyKind kind = BodyKind::kStatic;
-  std::shared_ptr<const Model> model;
+  BodyOptions options;  // as it was added
+  BodyNode node;
   Pose pose;             // as it was set last
   bool in_hand = false;  // a device has moved it since
-  BodyOptions as_added;  // for whoever records
   struct Sight {
     DVec3 at;            // from the tool
     std::uint64_t step;  // of the tool's pose

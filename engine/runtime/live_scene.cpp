@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <thread>
 #include <utility>
@@ -30,6 +31,28 @@ void wait_for(const Flag& done) {
   while (!done.raised() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLookAgain);
 }
 
+template <class Change>
+std::unique_ptr<Command> change_of(Change change) {
+  return std::make_unique<ChangeScene<Change>>(change);
+}
+
+BodyKind kind_of(const NewBody& body) {
+  return body.options.kind;
+}
+
+DMat4 matrix_of(const Pose& pose) {
+  DMat4 matrix(pose.rotation);
+  matrix[3] = glm::dvec4(pose.translation, 1.0);
+  return matrix;
+}
+
+bool is_finite(const DMat4& matrix) {
+  for (int i = 0; i < 16; ++i) {
+    if (!std::isfinite(matrix[i / 4][i % 4])) return false;
+  }
+  return true;
+}
+
 void destroy_all(Letter* letter) {
   while (letter) delete std::exchange(letter, letter->next());
 }
@@ -45,41 +68,90 @@ LiveScene::~LiveScene() {
 }
 
 Result<BodyId> LiveScene::add(BodyOptions options) {
+  std::vector<NewBody> one;
+  one.push_back({std::move(options), {}});
+  Result<std::vector<BodyId>> added = add_all(std::move(one), 0.0);
+  if (!added) return added.error();
+  return added.value().front();
+}
+
+Result<std::vector<BodyId>> LiveScene::add_all(std::vector<NewBody> bodies, double cutoff) {
   const std::lock_guard lock(mutex_);
-  const bool is_tool = options.kind == BodyKind::kTool;
-  if (is_tool && tool_ != 0) return Error{ErrorCode::kInvalidArgument, "the scene has a tool already"};
-  const BodyId id = ids_.take();
-  if (id == 0) return Error{ErrorCode::kLimit, "the scene is full"};
+  const auto tools = std::ranges::count(bodies, BodyKind::kTool, kind_of);
+  if (tools > 0 && tool_ != 0) return Error{ErrorCode::kInvalidArgument, "the scene has a tool already"};
+  if (tools > 1) return Error{ErrorCode::kInvalidArgument, "more than one body is the tool"};
+  std::vector<BodyId> ids;
   try {
-    place(id, std::move(options));
+    if (!take_ids(bodies.size(), ids)) return Error{ErrorCode::kLimit, "the scene is full"};
+    Arrivals arrivals = arrivals_of(ids, std::move(bodies), cutoff);
+    admit(std::move(arrivals));
   } catch (...) {
-    ids_.give_back(id);
+    give_back(ids);
     throw;
   }
-  if (is_tool) tool_ = id;
-  return id;
+  if (cutoff > 0.0) options_.cutoff = cutoff;
+  return ids;
 }
 
-void LiveScene::place(BodyId id, BodyOptions options) {
-  if (slot_of(id) >= records_.size()) records_.resize(slot_of(id) + 1);
-  auto record = std::make_unique<BodyRecord>(id);
-  record->kind = options.kind;
-  record->model = options.model;
-  record->pose = options.pose;
-  record->as_added = options;
-  if (recording_) recording_->add(trace_of(id, options));
-  auto body = std::make_unique<Body>(std::move(options));
-  body->id = id;
-  carry_out(std::make_unique<AddBody>(std::move(body), slots_for(id)));
-  records_[slot_of(id)] = std::move(record);
+bool LiveScene::take_ids(std::size_t count, std::vector<BodyId>& ids) {
+  ids.reserve(count);
+  while (ids.size() < count) {
+    const BodyId id = ids_.take();
+    if (id == 0) {
+      give_back(ids);
+      return false;
+    }
+    ids.push_back(id);
+  }
+  return true;
 }
 
-// Room in the scene's table, brought from outside while the servo may not allocate it.
-BodyTable::Slots LiveScene::slots_for(BodyId id) {
+void LiveScene::give_back(const std::vector<BodyId>& ids) {
+  for (const BodyId id : ids) ids_.give_back(id);
+}
+
+// All memory that the bodies need, so that admit() cannot fail half-way.
+LiveScene::Arrivals LiveScene::arrivals_of(const std::vector<BodyId>& ids, std::vector<NewBody> bodies,
+                                           double cutoff) {
+  std::uint32_t last = 0;
+  for (const BodyId id : ids) last = std::max(last, slot_of(id));
+  if (last >= records_.size()) records_.resize(last + 1);
+  BodyTable::Slots slots = slots_for(last);
+  Arrivals arrivals;
+  arrivals.slot_room = slots.capacity();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    NewBody& body = bodies[i];
+    auto record = std::make_unique<BodyRecord>(ids[i]);
+    record->pose = body.options.pose;
+    record->options = body.options;
+    record->node = std::move(body.node);
+    if (recording_) recording_->add(trace_of(ids[i], body.options));
+    if (record->node.above != 0) record->node.above = ids[record->node.above - 1];
+    arrivals.records.push_back(std::move(record));
+    auto placed = std::make_unique<Body>(std::move(body.options));
+    placed->id = ids[i];
+    arrivals.commands.push_back(
+        std::make_unique<AddBody>(std::move(placed), std::exchange(slots, BodyTable::Slots())));
+  }
+  if (cutoff > 0.0)
+    arrivals.commands.push_back(change_of([cutoff](Scene& scene) { scene.set_cutoff(cutoff); }));
+  return arrivals;
+}
+
+// Allocates nothing: the first command brings room for all.
+void LiveScene::admit(Arrivals arrivals) {
+  slot_room_ = std::max(slot_room_, arrivals.slot_room);
+  for (std::unique_ptr<Command>& command : arrivals.commands) carry_out(std::move(command));
+  for (std::unique_ptr<BodyRecord>& record : arrivals.records) {
+    if (record->options.kind == BodyKind::kTool) tool_ = record->id;
+    records_[slot_of(record->id)] = std::move(record);
+  }
+}
+
+// Room in the scene's table, brought from outside: a servo may not allocate it.
+BodyTable::Slots LiveScene::slots_for(std::uint32_t slot) const {
   BodyTable::Slots slots;
-  if (!live_ || slot_of(id) < slot_room_) return slots;
-  slots.reserve(2 * slot_of(id) + 1);
-  slot_room_ = slots.capacity();
+  if (slot >= slot_room_) slots.reserve(2 * std::size_t{slot} + 1);
   return slots;
 }
 
@@ -107,8 +179,55 @@ std::optional<Pose> LiveScene::pose_of(BodyId id) {
   const std::lock_guard lock(mutex_);
   const BodyRecord* const record = find(id);
   if (!record) return std::nullopt;
-  const bool in_hand = record->in_hand || (id == tool_ && device_);
-  return in_hand ? pose_in_hand(*record) : record->pose;
+  return pose_now(*record);
+}
+
+Pose LiveScene::pose_now(const BodyRecord& record) {
+  const bool in_hand = record.in_hand || (record.id == tool_ && device_);
+  return in_hand ? pose_in_hand(record) : record.pose;
+}
+
+std::vector<BodyId> LiveScene::bodies() {
+  const std::lock_guard lock(mutex_);
+  std::vector<BodyId> ids;
+  for (const auto& record : records_) {
+    if (record && ids_.alive(record->id)) ids.push_back(record->id);
+  }
+  return ids;
+}
+
+BodyId LiveScene::find_named(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find_if(records_, [&](const auto& record) {
+    return record && ids_.alive(record->id) && record->node.name == name;
+  });
+  return found == records_.end() ? 0 : (*found)->id;
+}
+
+std::optional<NewBody> LiveScene::as_added(BodyId id) {
+  const std::lock_guard lock(mutex_);
+  const BodyRecord* const record = find(id);
+  if (!record) return std::nullopt;
+  return NewBody{record->options, record->node};
+}
+
+Result<DMat4> LiveScene::parent_from_node(BodyId id) {
+  const std::lock_guard lock(mutex_);
+  const BodyRecord* const record = find(id);
+  if (!record) return Error{ErrorCode::kInvalidHandle, "body is none of this scene"};
+  const BodyNode& node = record->node;
+  if (node.index < 0) return Error{ErrorCode::kInvalidArgument, "the body comes from no file"};
+  DMat4 scene_from_parent = node.above_from_parent;
+  if (node.above != 0) {
+    const BodyRecord* const above = find(node.above);
+    if (!above) return Error{ErrorCode::kWrongState, "the body above in the file's hierarchy was removed"};
+    scene_from_parent = matrix_of(pose_now(*above)) * scene_from_parent;
+  }
+  const DMat4 parent_from_node =
+      glm::inverse(scene_from_parent) * matrix_of(pose_now(*record)) * node.body_from_node;
+  if (!is_finite(parent_from_node))
+    return Error{ErrorCode::kWrongState, "the node's parent crushes all that is below it"};
+  return parent_from_node;
 }
 
 // A device moves the tool without a word to its record.
@@ -121,7 +240,7 @@ Pose LiveScene::pose_in_hand(const BodyRecord& tool) {
 
 template <class Change>
 void LiveScene::change(Change change) {
-  carry_out(std::make_unique<ChangeScene<Change>>(change));
+  carry_out(change_of(change));
 }
 
 void LiveScene::set_cutoff(double cutoff) {
@@ -205,7 +324,7 @@ Status LiveScene::record(const std::string& path, const TraceSpace& space) {
       SceneRecorder::create(path, trace_of(options_, space), records_.size());
   if (!recorder) return recorder.error();
   for (const auto& record : records_)
-    if (record) recorder.value()->add(trace_of(record->id, record->as_added));
+    if (record) recorder.value()->add(trace_of(record->id, record->options));
   attach(recorder.value(), std::make_shared<Flag>());
   recording_ = std::move(recorder.value());
   return Done{};
@@ -336,17 +455,17 @@ void LiveScene::take_survey() {
   const BodyRecord* const tool = find(tool_);
   if (!tool) return;
   if (view.tool != tool_) view = {tool_, tool->pose, 0, 0.0};
-  survey_.tool_model = tool->model;
+  survey_.tool_model = tool->options.model;
   survey_.tool_pose = view.pose;
   survey_.step = view.step;
-  const Sphere around = view.pose * Sphere{tool->model->centre(), tool->model->radius()};
+  const Sphere around = view.pose * Sphere{tool->options.model->centre(), tool->options.model->radius()};
   for (const auto& record : records_)
-    if (record && record->id != tool_ && soon_near(*record, around, view))
-      survey_.near.push_back({record->id, record->model, record->pose});
+    if (record && record->id != tool_ && !record->options.intangible && soon_near(*record, around, view))
+      survey_.near.push_back({record->id, record->options.model, record->pose});
 }
 
 bool LiveScene::soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const {
-  const Sphere body = record.pose * Sphere{record.model->centre(), record.model->radius()};
+  const Sphere body = record.pose * Sphere{record.options.model->centre(), record.options.model->radius()};
   const DVec3 at = body.centre - tool.centre;
   if (record.seen && view.step > record.seen->step && view.dt > 0.0) {
     const double seconds = static_cast<double>(view.step - record.seen->step) * view.dt;

@@ -31,9 +31,18 @@ class LiveScene : public ServoTask {
 
   // From any thread.
   Result<BodyId> add(BodyOptions options);  // errors: kInvalidArgument (a second tool), kLimit
-  bool remove(BodyId id);                   // false: no such body, as the next two
+  // All of them or, on an error, none, and the cutoff, unless it is 0. Errors as of add().
+  Result<std::vector<BodyId>> add_all(std::vector<NewBody> bodies, double cutoff);
+  bool remove(BodyId id);  // false: no such body, as the next two
   bool set_pose(BodyId id, const Pose& pose);
   std::optional<Pose> pose_of(BodyId id);
+  std::vector<BodyId> bodies();                // in the order of slots: that of adding, while none is removed
+  BodyId find_named(const std::string& name);  // the first of that name; 0: none
+  std::optional<NewBody> as_added(BodyId id);
+  // The node's transform in its parent that puts it where the body is. Errors: kInvalidHandle,
+  // kInvalidArgument (the body has no node), kWrongState (the body above was removed; the parent has no
+  // inverse).
+  Result<DMat4> parent_from_node(BodyId id);
   void set_cutoff(double cutoff);
   void set_stiffness(double stiffness);
   void set_damping(double damping);
@@ -107,8 +116,19 @@ class LiveScene : public ServoTask {
   void carry_out(std::unique_ptr<Command> command);
   template <class Change>
   void change(Change change);
-  void place(BodyId id, BodyOptions options);
-  BodyTable::Slots slots_for(BodyId id);
+  // Bodies on their way into the scene.
+  struct Arrivals {
+    std::vector<std::unique_ptr<BodyRecord>> records;
+    std::vector<std::unique_ptr<Command>> commands;
+    std::size_t slot_room = 0;  // of the table that they bring; 0: none
+  };
+
+  bool take_ids(std::size_t count, std::vector<BodyId>& ids);  // false: there are not so many, none is taken
+  void give_back(const std::vector<BodyId>& ids);
+  Arrivals arrivals_of(const std::vector<BodyId>& ids, std::vector<NewBody> bodies, double cutoff);
+  void admit(Arrivals arrivals);
+  Pose pose_now(const BodyRecord& record);
+  BodyTable::Slots slots_for(std::uint32_t slot) const;
   BodyRecord* find(BodyId id);
   Pose pose_in_hand(const BodyRecord& tool);
   const Contacts& newest_contacts();
@@ -127,7 +147,7 @@ class LiveScene : public ServoTask {
   std::vector<std::unique_ptr<BodyRecord>> records_;  // by slot
   BodyId tool_ = 0;
   std::shared_ptr<GuardedDevice> device_;
-  std::size_t slot_room_ = 0;  // of the scene's table while live
+  std::size_t slot_room_ = 0;  // of the scene's table
   std::uint64_t visited_step_ = 0;
   std::shared_ptr<SceneRecorder> recording_;  // null: none
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "engine/runtime/own_thread.h"
+#include "engine/base/own_thread.h"
 #include "engine/runtime/trace_records.h"
 
 namespace palpate {

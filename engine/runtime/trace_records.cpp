@@ -93,6 +93,7 @@ TraceBody trace_of(BodyId id, const BodyOptions& options) {
   TraceBody body;
   body.id = id;
   body.kind = static_cast<std::uint32_t>(options.kind);
+  body.intangible = options.intangible ? 1 : 0;
   body.triangles = options.model->mesh().triangles.size();
   body.hash = geometry_hash(options.model->mesh());
   body.stiffness = options.stiffness;

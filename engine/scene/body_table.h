@@ -24,6 +24,7 @@ struct BodyOptions {
   double friction = 0.0;       // Coulomb's coefficient against the tool; 0: the scene's, negative: none
   DVec3 reference_point{0.0};  // of the tool, model frame: torques are about it
   std::string model_name;      // for people
+  bool intangible = false;     // the tool passes through it
 };
 
 // A model that is placed in a scene.

@@ -109,7 +109,8 @@ void Scene::find_near_bodies(const Body& tool) {
 
 void Scene::look_at(BodyId id, Body& body, const Body& tool) {
   ++next_.work.bodies;
-  if (!within_reach(body.sphere(), tool.sphere(), options_.cutoff)) return body.leave();
+  if (body.options().intangible || !within_reach(body.sphere(), tool.sphere(), options_.cutoff))
+    return body.leave();
   body.is_near = true;
   const bool ready = !fixed_ || body.against_tool.ready();
   if (!ready || (fixed_ && !has_room(near_, 1))) {

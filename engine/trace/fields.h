@@ -40,6 +40,7 @@ template <class Visit>
 void each_field(TraceBody& body, Visit&& visit) {
   visit(body.id);
   visit(body.kind);
+  visit(body.intangible);
   visit(body.triangles);
   visit(body.hash);
   visit(body.stiffness);

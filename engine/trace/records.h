@@ -48,7 +48,8 @@ struct TraceHeader {
 
 struct TraceBody {
   std::uint64_t id = 0;
-  std::uint32_t kind = 0;  // 0 static, 1 moving, 2 tool
+  std::uint32_t kind = 0;        // 0 static, 1 moving, 2 tool
+  std::uint32_t intangible = 0;  // 1: the tool passes through it
   std::uint64_t triangles = 0;
   std::uint64_t hash = 0;  // of the model's geometry
   double stiffness = 0.0;

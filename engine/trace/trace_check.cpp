@@ -83,7 +83,7 @@ const char* fault_of(const TraceSettings& settings) {
   const double least = std::numeric_limits<double>::denorm_min();
   if (!within(settings.cutoff, least, kLargestNumber)) return "a cutoff is out of range";
   for (const double number :
-       {settings.stiffness, settings.damping, settings.stiffness_cap, settings.friction})
+       {settings.stiffness, settings.damping, std::abs(settings.stiffness_cap), settings.friction})
     if (!within(number, 0.0, kLargestNumber)) return "a setting is out of range";
   if (settings.mode > kLastMode) return "a mode is none";
   if (settings.law > kLastLaw) return "a law is none";
@@ -93,6 +93,7 @@ const char* fault_of(const TraceSettings& settings) {
 const char* fault_of(const TraceBody& body) {
   if (body.id == 0) return "a body has no id";
   if (body.kind > kLastKind) return "a body is of no kind";
+  if (body.intangible > 1) return "a body is neither tangible nor not";
   if (!within(body.stiffness, 0.0, kLargestNumber) || !within(body.damping, 0.0, kLargestNumber) ||
       !within(body.friction, -kLargestNumber, kLargestNumber))
     return "a number of a body is out of range";

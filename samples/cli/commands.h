@@ -12,6 +12,12 @@ struct InfoArguments {
   bool json = false;
 };
 
+struct SceneArguments {
+  std::string file;
+  std::string tool;  // node; empty: none
+  bool json = false;
+};
+
 struct QueryArguments {
   std::string a;
   std::string b;
@@ -51,6 +57,7 @@ struct DevicesArguments {
 
 // Each prints to standard output and throws Failure.
 void run_info(const InfoArguments& arguments);
+void run_scene(const SceneArguments& arguments);
 void run_query(const QueryArguments& arguments);
 void run_devices(const DevicesArguments& arguments);
 void run_trajectory(const RunArguments& arguments);

@@ -32,6 +32,12 @@ JsonWriter& JsonWriter::value(bool truth) {
   return *this;
 }
 
+JsonWriter& JsonWriter::null() {
+  begin_value();
+  out_ << "null";
+  return *this;
+}
+
 JsonWriter& JsonWriter::value(std::string_view text) {
   begin_value();
   write_text(text);

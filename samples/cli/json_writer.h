@@ -20,6 +20,7 @@ class JsonWriter {
 
   JsonWriter& value(
       double number);  // 17 significant digits, so that it is read back exactly; not finite: null
+  JsonWriter& null();
   JsonWriter& value(bool truth);
   JsonWriter& value(std::string_view text);
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }

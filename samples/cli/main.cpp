@@ -24,6 +24,16 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
   command->callback([&] { run_info(arguments); });
 }
 
+void add_scene(CLI::App& app, SceneArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("scene", "List the bodies of a glTF scene, a node and its mesh each");
+  command->add_option("file", arguments.file, "A .gltf or .glb file")->required();
+  command->add_option("--tool", arguments.tool,
+                      "Name of the node that is the tool, with all that is below it");
+  command->add_flag("--json", arguments.json, "Print JSON");
+  command->callback([&] { run_scene(arguments); });
+}
+
 void add_query(CLI::App& app, QueryArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("query", "Find all local minimum distances between two models at one pose");
@@ -109,10 +119,12 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", plp_version_string());
   app.require_subcommand(1);
   InfoArguments info;
+  SceneArguments scene;
   QueryArguments query;
   RunArguments trajectory;
   DevicesArguments devices;
   add_info(app, info);
+  add_scene(app, scene);
   add_query(app, query);
   add_run(app, trajectory);
   add_devices(app, devices);

@@ -118,6 +118,7 @@ plp_body Stage::add(const OwnedModel& model, plp_body_kind kind, const plp_trace
   options.stiffness = recorded.stiffness;
   options.damping = recorded.damping;
   options.friction = recorded.friction;
+  options.intangible = recorded.intangible;
   std::copy_n(recorded.reference_point, 3, options.reference_point);
   plp_body body = 0;
   check(plp_scene_add_body(scene_.get(), &options, &body));

@@ -91,6 +91,26 @@ class CommandLine(unittest.TestCase):
         self.assertIn("168 bytes decoded", self.output("info", self.box))
         self.assertIn("outward", self.output("info", self.box))
 
+    def test_scene(self):
+        nodes = [{"name": "table", "mesh": 0, "scale": [4, 0.2, 4], "children": [1]},
+                 {"name": "cup", "mesh": 0, "translation": [0, 3, 0],
+                  "extras": {"stiffness": 200, "friction": 0}},
+                 {"name": "pen\u001b", "mesh": 0, "translation": [0, 2, 0]}]
+        document = json.loads(box_gltf(0.5)) | {"nodes": nodes, "scenes": [{"nodes": [0, 2]}]}
+        path = self.write("scene.gltf", json.dumps(document))
+        table, cup, pen = json.loads(self.output("scene", path, "--tool", "pen\u001b", "--json"))["bodies"]
+        self.assertEqual((table["name"], table["kind"], table["triangles"]), ("table", "static", 12))
+        self.assertEqual((table["stiffness"], table["friction"], table["above_node"]), (None, None, None))
+        self.assertEqual((cup["stiffness"], cup["damping"], cup["friction"]), (200.0, None, 0.0))
+        self.assertEqual((cup["node"], cup["above_node"], cup["intangible"]), (1, 0, False))
+        self.assertAlmostEqual(cup["position"][1], 0.6, delta=1e-12)
+        self.assertEqual(pen["kind"], "tool")
+        lines = self.output("scene", path).splitlines()
+        self.assertEqual(len(lines), 4)
+        self.assertRegex(lines[2], r"^cup +static +12 +0 0.6 0 +0 0 0 1 +200 +- +0$")
+        self.assertIn("pen?", lines[3])
+        self.assertIn("nobody", self.complaint("scene", path, "--tool", "nobody"))
+
     def test_scale(self):
         tripled = json.loads(self.output("info", self.box, "--scale", "3", "--json"))
         self.assertEqual(tripled["bounds"], {"min": [-1.5] * 3, "max": [1.5] * 3})

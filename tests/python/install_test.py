@@ -1,6 +1,7 @@
 """The package as pip builds and installs it, offline."""
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -10,6 +11,7 @@ import zipfile
 from pathlib import Path
 
 LIBRARY = Path(os.environ["PALPATE_LIBRARY"])
+MODELS = Path(os.environ["PALPATE_MODELS"])
 SOURCES = Path(__file__).resolve().parents[2] / "bindings" / "python"
 QUERY = """
 import palpate
@@ -75,6 +77,18 @@ class InstallTest(unittest.TestCase):
         force, name = done.stdout.split()
         self.assertEqual(float(force), 100.0, done.stderr)
         self.assertTrue(Path(name).is_relative_to(self.environment), name)
+        self.assert_readme_example_runs(plain_environment(**preload))
+
+    def assert_readme_example_runs(self, environment):
+        """The example of README.md, in a folder with nothing but its two models."""
+        program, said = re.search(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$",
+                                  (SOURCES.parents[1] / "README.md").read_text(), re.DOTALL | re.MULTILINE).groups()
+        clean = self.folder / "clean"
+        clean.mkdir()
+        for model in re.findall(r"\w+\.glb", program):
+            shutil.copy(MODELS / model, clean)
+        done = subprocess.run([self.python, "-c", program], env=environment, cwd=clean, capture_output=True, text=True)
+        self.assertEqual(done.stdout, said, done.stderr)
 
     def test_the_release_build_is_taken(self):
         built = self.tree / "build" / "release" / "capi"

@@ -14,6 +14,7 @@ palpate_viewer_packages=(
 palpate_test_packages=(
   libgtest-dev clang-format-14 binutils make patchelf libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
+  mypy python3-matplotlib python3-scipy
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
   godot3-server godot3-runner xvfb xauth xdotool libopenxr-dev
 )

@@ -66,6 +66,13 @@ namespace Palpate
             set => Struct.friction = value;
         }
 
+        /// <summary>The tool passes through it.</summary>
+        public bool Intangible
+        {
+            get => Struct.intangible != 0;
+            set => Struct.intangible = value ? 1 : 0;
+        }
+
         /// <summary>Of the tool, its own frame, scene units: torques are about it.</summary>
         public Vector3d ReferencePoint
         {
@@ -86,7 +93,7 @@ namespace Palpate
         }
     }
 
-    /// <summary>A body of one scene, made by Scene.Add.</summary>
+    /// <summary>A body of one scene, made by Scene.Add or Scene.LoadGltf.</summary>
     public readonly unsafe struct Body
     {
         private readonly Scene scene;
@@ -110,6 +117,40 @@ namespace Palpate
                 return pose;
             }
             set => Scene.Check(Raw.plp_scene_set_pose(Scene.Handle, Id, (Raw.plp_pose*)&value));
+        }
+
+        public BodyInfo Info
+        {
+            get
+            {
+                Raw.plp_body_info info;
+                Raw.plp_body_info_init(&info, (UIntPtr)sizeof(Raw.plp_body_info));
+                Scene.Check(Raw.plp_scene_get_body_info(Scene.Handle, Id, &info));
+                return new BodyInfo(info);
+            }
+        }
+
+        /// <summary>Its model, which bodies may share, in a wrapper of its own: dispose it.</summary>
+        public Model Model
+        {
+            get
+            {
+                IntPtr model;
+                Scene.Check(Raw.plp_scene_get_body_model(Scene.Handle, Id, &model));
+                return new Model(model);
+            }
+        }
+
+        /// <summary>What `matrix` its node has in its glTF file if that is to show it where it is now: 16 numbers, column
+        /// by column, in metres and the file's axes whatever the space of the scene.</summary>
+        public double[] NodeMatrix()
+        {
+            var matrix = new double[16];
+            fixed (double* numbers = matrix)
+            {
+                Scene.Check(Raw.plp_scene_get_node_matrix(Scene.Handle, Id, numbers));
+            }
+            return matrix;
         }
 
         public void Remove() => Scene.Check(Raw.plp_scene_remove_body(Scene.Handle, Id));

@@ -70,7 +70,7 @@ namespace Palpate
     {
         private readonly ModelHandle handle;
 
-        private Model(IntPtr value)
+        internal Model(IntPtr value)
         {
             handle = new ModelHandle(value);
         }

@@ -325,6 +325,34 @@ namespace Palpate
             public fixed double reference_point[3];
             public double damping;
             public double friction;
+            public int intangible;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_body_info
+        {
+            public uint struct_size;
+            public int kind;
+            public fixed byte name[256];
+            public int node;
+            public int intangible;
+            public ulong above;
+            public ulong triangles;
+            public double stiffness;
+            public double damping;
+            public double friction;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct plp_gltf_scene_options
+        {
+            public uint struct_size;
+            public uint flags;
+            public plp_model_options* model;
+            public byte* tool;
+            public plp_pose pose;
+            public double cutoff;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -497,6 +525,8 @@ namespace Palpate
             public fixed double reference_point[3];
             public ulong first_tick;
             public ulong end_tick;
+            public int intangible;
+            public uint reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -670,6 +700,31 @@ namespace Palpate
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int plp_scene_get_contacts(IntPtr scene, plp_contacts* contacts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_body_info_init(plp_body_info* info, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_body_info(IntPtr scene, ulong body, plp_body_info* info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_list_bodies(IntPtr scene, ulong* bodies, UIntPtr capacity, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_find_body(IntPtr scene, byte* name, ulong* body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_body_model(IntPtr scene, ulong body, IntPtr* model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void plp_gltf_scene_options_init(plp_gltf_scene_options* options, UIntPtr size);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_load_gltf(IntPtr scene, byte* path, plp_gltf_scene_options* options,
+                                                     ulong* bodies, UIntPtr capacity, UIntPtr* count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int plp_scene_get_node_matrix(IntPtr scene, ulong body, double* matrix);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void plp_servo_options_init(plp_servo_options* options, UIntPtr size);

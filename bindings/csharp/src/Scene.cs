@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 using System;
+using System.Runtime.InteropServices;
 
 namespace Palpate
 {
@@ -147,6 +148,9 @@ namespace Palpate
     /// and read contacts.</summary>
     public sealed unsafe class Scene : IDisposable
     {
+        // Of a glTF file.
+        private const int MostNodes = 1000000;
+
         private readonly SceneHandle handle;
         private readonly Outcome outcome = new Outcome();
 
@@ -177,6 +181,57 @@ namespace Palpate
             GC.KeepAlive(model);
             GC.KeepAlive(this);
             return new Body(this, id);
+        }
+
+        /// <summary>Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children; all or, on
+        /// an error, none. Nodes that share a mesh and a scale share a model. Materials come from the file.</summary>
+        public Body[] LoadGltf(string path, GltfSceneOptions options = null)
+        {
+            GltfSceneOptions given = options ?? new GltfSceneOptions();
+            Raw.plp_gltf_scene_options how = given.Struct;
+            Raw.plp_model_options model = (given.Model ?? new ModelOptions()).Struct;
+            how.model = &model;
+            byte[] name = Utf8.Bytes(path ?? throw new ArgumentNullException(nameof(path)), nameof(path));
+            IntPtr room = Marshal.AllocHGlobal(MostNodes * sizeof(ulong));
+            try
+            {
+                fixed (byte* file = name)
+                fixed (byte* tool = Utf8.Bytes(given.Tool, nameof(options)))
+                {
+                    how.tool = tool;
+                    UIntPtr count;
+                    Check(Raw.plp_scene_load_gltf(handle.Value, file, &how, (ulong*)room, (UIntPtr)MostNodes, &count));
+                    return BodiesOf((ulong*)room, (int)count);
+                }
+            }
+            finally
+            {
+                Marshal.FreeHGlobal(room);
+            }
+        }
+
+        /// <summary>The body whose node has this name; of several the first.</summary>
+        public Body Find(string name)
+        {
+            ulong id;
+            fixed (byte* text = Utf8.Bytes(name ?? throw new ArgumentNullException(nameof(name)), nameof(name)))
+            {
+                Check(Raw.plp_scene_find_body(handle.Value, text, &id));
+            }
+            return new Body(this, id);
+        }
+
+        /// <summary>All, in the order in which they were added, as long as none was removed.</summary>
+        public Body[] Bodies()
+        {
+            UIntPtr count;
+            Check(Raw.plp_scene_list_bodies(handle.Value, null, UIntPtr.Zero, &count));
+            var ids = new ulong[(int)count];
+            fixed (ulong* room = ids)
+            {
+                Check(Raw.plp_scene_list_bodies(handle.Value, room, (UIntPtr)(uint)ids.Length, &count));
+                return BodiesOf(room, Math.Min(ids.Length, (int)count));
+            }
         }
 
         /// <summary>Searches the tool against every other body that is near and computes the wrench on it about its
@@ -253,6 +308,16 @@ namespace Palpate
         {
             ++outcome.Generation;
             handle.Dispose();
+        }
+
+        private Body[] BodiesOf(ulong* ids, int count)
+        {
+            var bodies = new Body[count];
+            for (int i = 0; i < count; ++i)
+            {
+                bodies[i] = new Body(this, ids[i]);
+            }
+            return bodies;
         }
 
         /// <summary>Of a call with this scene's handle, which it keeps alive until then.</summary>

@@ -34,5 +34,8 @@ namespace Palpate
 
         /// <summary>Blender and Panda3D.</summary>
         public static Space ZUp => new Space(1, -3, 2);
+
+        /// <summary>Unreal: left-handed, +z up, centimetres.</summary>
+        public static Space Unreal => new Space(3, -1, 2, 0.01);
     }
 }

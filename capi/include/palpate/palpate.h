@@ -133,7 +133,8 @@ typedef struct plp_wrench {
 /** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis
  * the i-th axis of that space points: ±1, ±2 or ±3 for ±x, ±y or ±z, each axis once. Palpate's own is {1, 2,
  * 3}, right-handed and, as glTF, with +y up. {-1, 2, 3} is Unity with models as UnityGLTF and glTFast load
- * them; {1, 2, -3} Unity as OpenXR gives poses; {1, -3, 2} has z up (Blender, Panda3D). Forces stay in
+ * them; {1, 2, -3} Unity as OpenXR gives poses; {1, -3, 2} has z up (Blender, Panda3D); {3, -1,
+ * 2} with 0.01 metres per unit is Unreal. Forces stay in
  * newtons and torques in newton-metres; under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
   int32_t axes[3];
@@ -551,6 +552,8 @@ typedef struct plp_body_options {
   double reference_point[3]; /**< of the tool, its own frame, scene units: torques are about it */
   double damping;            /**< N·s/m against the tool; 0: the scene's */
   double friction;           /**< coefficient against the tool; 0: the scene's, negative: none */
+  int32_t intangible;        /**< 1: the tool passes through it; 0 for the tool itself */
+  uint32_t reserved;         /**< 0 */
 } plp_body_options;
 
 /** @brief Fills `options`: static, identity pose, the scene's stiffness. @threadsafety any @since 0.1 */
@@ -617,6 +620,104 @@ PLP_API plp_result plp_scene_step(plp_scene scene);
  *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT or _OUT_OF_MEMORY.
  *  @threadsafety object (beside plp_scene_step alone; all else may go on meanwhile) @since 0.1 */
 PLP_API plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contacts);
+
+/** What a body is. */
+typedef struct plp_body_info {
+  uint32_t struct_size;
+  plp_body_kind kind;
+  char name[256];     /**< of its node; "" if it has none; UTF-8 and terminated, cut where it is longer */
+  int32_t node;       /**< index in the glTF file that it comes from; -1: from none */
+  int32_t intangible; /**< 1: the tool passes through it */
+  plp_body above;     /**< the nearest body above it in the file's hierarchy; 0: none */
+  uint64_t triangles; /**< of its model, as it is searched */
+  double stiffness;   /**< N/m against the tool; 0: the scene's */
+  double damping;     /**< N·s/m against the tool; 0: the scene's */
+  double friction;    /**< coefficient against the tool; 0: the scene's, negative: none */
+} plp_body_info;
+
+/** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
+PLP_API void plp_body_info_init(plp_body_info* info, size_t size);
+
+/** @brief Tells what a body is. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_get_body_info(plp_scene scene, plp_body body, plp_body_info* info);
+
+/** @brief Lists the bodies of a scene, as long as none was removed in the order in which they were added.
+ *  @param bodies `capacity` of them; may be null if that is 0. @param count receives how many there are,
+ * which may be more.
+ *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT or _OUT_OF_MEMORY. @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_list_bodies(plp_scene scene, plp_body* bodies, size_t capacity, size_t* count);
+
+/** @brief Finds a body by the whole name of its node; of several the first that plp_scene_list_bodies lists.
+ *  @param name UTF-8, not empty.
+ *  @return PLP_ERROR_INVALID_ARGUMENT (also if no body has that name) or _INVALID_HANDLE.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_find_body(plp_scene scene, const char* name, plp_body* body);
+
+/** @brief Gives a new handle of a body's model: release it.
+ *  @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _LIMIT or _OUT_OF_MEMORY.
+ *  @threadsafety any @since 0.1 */
+PLP_API plp_result plp_scene_get_body_model(plp_scene scene, plp_body body, plp_model* model);
+
+/* ------------------------------------------------------------------------------------------------------------
+ * glTF scenes */
+
+/** How plp_scene_load_gltf takes a file into a scene. */
+typedef struct plp_gltf_scene_options {
+  uint32_t struct_size;
+  uint32_t flags;                 /**< 0; others are refused */
+  const plp_model_options* model; /**< how meshes become models, and which of the file's scenes; null for the
+                                     defaults. Its max_triangles counts a shared mesh for every node. */
+  const char* tool; /**< UTF-8: name of the node that is the tool, with all that is below it; null: no tool */
+  plp_pose pose;    /**< of the file's scene in this scene's space */
+  double cutoff;    /**< the scene's from now on, units of its space, positive; 0: as it is */
+} plp_gltf_scene_options;
+
+/** @brief Fills `options`: no tool, identity pose, the cutoff as it is. @threadsafety any @since 0.1 */
+PLP_API void plp_gltf_scene_options_init(plp_gltf_scene_options* options, size_t size);
+
+/**
+ * @brief Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children. All or
+ * nothing; in a scene whose servo runs they arrive within the next steps. A body is called by its node's name
+ * or, if that has none, by its mesh's.
+ *
+ * A body's frame is that of its node without scale, mirror and shear, which its model holds; of a mirrored
+ * node the third axis is turned. Bodies share a model if they have the same mesh and the same scale to six
+ * digits. Deformed by its skin or morph targets a mesh is taken as it stands in the file. Nodes without a
+ * triangle of positive area are no bodies; the log names them.
+ *
+ * What a body feels like is taken from the first that says something: the numbers `stiffness` (N/m),
+ * `damping` (N·s/m) and `friction` (Coulomb's coefficient) in the `extras` of its node; the same of its mesh;
+ * the same of the mesh's material in MPEG_material_haptic, whose textures are not read; `dynamicFriction` in
+ * KHR_physics_rigid_bodies. A stiffness or damping of 0 is the scene's; a friction of 0 is none. Nodes with a
+ * `motion` in KHR_physics_rigid_bodies, and those below them, are PLP_BODY_MOVING, others static. Triggers,
+ * and bodies that by the collision filters never touch the tool's node, are intangible. Of a collider's
+ * geometry nothing is read: what is touched is the mesh of the node itself.
+ *
+ * @param path UTF-8. @param options null for the defaults. @param bodies receives the first `capacity` of the
+ * new bodies; may be null if that is 0. @param count receives how many there are, at most 1,000,000; may be
+ * null.
+ * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT (also if none or several nodes have the tool's name, or
+ * if the scene has a tool already), _FILE_NOT_FOUND, _FILE_READ, _BAD_FORMAT, _UNSUPPORTED, _NO_TRIANGLES,
+ * _NON_FINITE, _LIMIT, _UNSAFE_PATH or _OUT_OF_MEMORY.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_scene_load_gltf(plp_scene scene, const char* path,
+                                       const plp_gltf_scene_options* options, plp_body* bodies,
+                                       size_t capacity, size_t* count);
+
+/**
+ * @brief Gives the transform that the body's node would have in its file, so that the file shows the bodies
+ * where they are now: under a parent that is a body where that is now, and moved with the nearest such one
+ * above.
+ * @param matrix 16 numbers: receives parent_from_node as glTF's `matrix` has it: column by column, metres,
+ * the file's axes, whatever the space of the scene. It may shear where a body was turned under a parent of
+ * unequal scales.
+ * @return PLP_ERROR_INVALID_ARGUMENT if the body comes from no file; _WRONG_STATE if the body above it was
+ * removed or a node above scales to nothing; _INVALID_HANDLE.
+ * @threadsafety any @since 0.1
+ */
+PLP_API plp_result plp_scene_get_node_matrix(plp_scene scene, plp_body body, double* matrix);
 
 /* ------------------------------------------------------------------------------------------------------------
  * servo */
@@ -1094,6 +1195,8 @@ typedef struct plp_trace_body {
   double reference_point[3]; /**< its own frame, scene units */
   uint64_t first_tick;       /**< the first step that had it; the number of steps if none had */
   uint64_t end_tick;         /**< the first step without it; the number of steps if it stayed */
+  int32_t intangible;        /**< as in plp_body_options */
+  uint32_t reserved;
 } plp_trace_body;
 
 /** @brief Fills `body` with zeros and its size. @threadsafety any @since 0.1 */

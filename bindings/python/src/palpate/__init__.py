@@ -17,6 +17,7 @@ from ._errors import (BadFormat, DeviceError, FileNotFound, FileReadError,
 from ._records import Records
 from .contacts import Contacts, Feature, Status, Work, Wrench
 from .device import Condition, Device, DeviceInfo, DeviceState, Grip, HandScript, Limiter, Safety, devices
+from .gltf_scene import BodyInfo
 from .log import LogLevel, set_log_callback
 from .model import Model, ModelInfo, Orientation, SurfaceCounts
 from .pose import Pose, PoseLike
@@ -34,11 +35,11 @@ def version() -> str:
 
 
 __all__ = [
-    "BadFormat", "Body", "Condition", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState", "Feature",
-    "FileNotFound", "FileReadError", "FileWriteError", "Grip", "HandScript", "InternalError", "InvalidArgument",
-    "InvalidHandle", "Latency", "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo", "NoTriangles",
-    "NonFinite", "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult", "Recording",
-    "Records", "Safety", "Scene", "ServoState", "Space", "Status", "SurfaceCounts", "Trace", "TraceBody", "TraceTick",
-    "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query", "set_log_callback", "shutdown_all",
-    "version",
+    "BadFormat", "Body", "BodyInfo", "Condition", "Contacts", "Device", "DeviceError", "DeviceInfo", "DeviceState",
+    "Feature", "FileNotFound", "FileReadError", "FileWriteError", "Grip", "HandScript", "InternalError",
+    "InvalidArgument", "InvalidHandle", "Latency", "LimitExceeded", "Limiter", "LogLevel", "Model", "ModelInfo",
+    "NoTriangles", "NonFinite", "Orientation", "OutOfMemory", "PalpateError", "Pose", "PoseLike", "QueryResult",
+    "Recording", "Records", "Safety", "Scene", "ServoState", "Space", "Status", "SurfaceCounts", "Trace", "TraceBody",
+    "TraceTick", "UnsafePath", "Unsupported", "Work", "Wrench", "WrongState", "devices", "query", "set_log_callback",
+    "shutdown_all", "version",
 ]

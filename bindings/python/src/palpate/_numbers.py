@@ -33,3 +33,13 @@ def doubles(values: Iterable[SupportsFloat], count: int, name: str) -> Any:
     if len(numbers) != count:
         raise InvalidArgument(f"{name} has {len(numbers)} numbers instead of {count}")
     return (ctypes.c_double * count)(*numbers)
+
+
+def triple(values: Iterable[float]) -> tuple[float, float, float]:
+    x, y, z = values
+    return x, y, z
+
+
+def quadruple(values: Iterable[float]) -> tuple[float, float, float, float]:
+    x, y, z, w = values
+    return x, y, z, w

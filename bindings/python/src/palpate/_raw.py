@@ -304,6 +304,34 @@ class plp_body_options(Structure):
         ("reference_point", c_double * 3),
         ("damping", c_double),
         ("friction", c_double),
+        ("intangible", c_int32),
+        ("reserved", c_uint32),
+    ]
+
+
+class plp_body_info(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int),
+        ("name", c_char * 256),
+        ("node", c_int32),
+        ("intangible", c_int32),
+        ("above", c_uint64),
+        ("triangles", c_uint64),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("friction", c_double),
+    ]
+
+
+class plp_gltf_scene_options(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("model", c_void_p),
+        ("tool", c_void_p),
+        ("pose", plp_pose),
+        ("cutoff", c_double),
     ]
 
 
@@ -476,6 +504,8 @@ class plp_trace_body(Structure):
         ("reference_point", c_double * 3),
         ("first_tick", c_uint64),
         ("end_tick", c_uint64),
+        ("intangible", c_int32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -584,6 +614,17 @@ plp_scene_set_stiffness_cap = _function("plp_scene_set_stiffness_cap", _result, 
 plp_scene_set_friction = _function("plp_scene_set_friction", _result, _handle, c_double)
 plp_scene_step = _function("plp_scene_step", _result, _handle)
 plp_scene_get_contacts = _function("plp_scene_get_contacts", _result, _handle, POINTER(plp_contacts))
+plp_body_info_init = _function("plp_body_info_init", None, POINTER(plp_body_info), c_size_t)
+plp_scene_get_body_info = _function("plp_scene_get_body_info", _result, _handle, _body, POINTER(plp_body_info))
+plp_scene_list_bodies = _function("plp_scene_list_bodies", _result, _handle, POINTER(_body), c_size_t,
+                                  POINTER(c_size_t))
+plp_scene_find_body = _function("plp_scene_find_body", _result, _handle, c_char_p, POINTER(_body))
+plp_scene_get_body_model = _function("plp_scene_get_body_model", _result, _handle, _body, POINTER(_handle))
+
+plp_gltf_scene_options_init = _function("plp_gltf_scene_options_init", None, POINTER(plp_gltf_scene_options), c_size_t)
+plp_scene_load_gltf = _function("plp_scene_load_gltf", _result, _handle, c_char_p, POINTER(plp_gltf_scene_options),
+                                POINTER(_body), c_size_t, POINTER(c_size_t))
+plp_scene_get_node_matrix = _function("plp_scene_get_node_matrix", _result, _handle, _body, POINTER(c_double))
 
 plp_servo_options_init = _function("plp_servo_options_init", None, POINTER(plp_servo_options), c_size_t)
 plp_scene_start = _function("plp_scene_start", _result, _handle, POINTER(plp_servo_options))

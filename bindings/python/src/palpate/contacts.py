@@ -7,6 +7,7 @@ from typing import NamedTuple
 from . import _raw
 from ._errors import InvalidHandle
 from ._native import Native
+from ._numbers import triple
 from ._records import Records, Span, view
 
 
@@ -90,10 +91,6 @@ class Contacts:
         return view(self._overlap_span())
 
     @property
-    def status(self) -> Status:
-        return Status(self._struct.status)
-
-    @property
     def overlap(self) -> bool:
         """Whether surfaces touch or cross."""
         return bool(self._struct.overlap)
@@ -122,7 +119,7 @@ class Contacts:
     @property
     def wrench(self) -> Wrench:
         wrench = self._struct.wrench
-        return Wrench(tuple(wrench.force), tuple(wrench.torque))
+        return Wrench(triple(wrench.force), triple(wrench.torque))
 
     @property
     def status(self) -> Status:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from . import _raw
 from ._errors import InvalidArgument, check
 from ._native import Closing, create
-from ._numbers import doubles
+from ._numbers import doubles, triple
 from .contacts import Wrench
 from .pose import Pose, PoseLike, pose_of, pose_struct
 
@@ -125,12 +125,12 @@ def _info_of(struct: _raw.plp_device_info) -> DeviceInfo:
     return DeviceInfo(struct.uri.decode(), struct.name.decode(), struct.serial.decode(), struct.buttons, struct.sensed,
                       struct.actuated, struct.max_force, struct.continuous_force, struct.max_torque,
                       struct.continuous_torque, struct.max_stiffness, struct.max_damping, struct.position_resolution,
-                      struct.angle_resolution, struct.update_rate, tuple(struct.workspace_min),
-                      tuple(struct.workspace_max), Condition(struct.condition), struct.status.decode(errors="replace"))
+                      struct.angle_resolution, struct.update_rate, triple(struct.workspace_min),
+                      triple(struct.workspace_max), Condition(struct.condition), struct.status.decode(errors="replace"))
 
 
 def _wrench_of(struct: _raw.plp_wrench) -> Wrench:
-    return Wrench(tuple(struct.force), tuple(struct.torque))
+    return Wrench(triple(struct.force), triple(struct.torque))
 
 
 def devices() -> list[DeviceInfo]:
@@ -164,7 +164,7 @@ class Device(Closing):
         struct = _raw.plp_device_state()
         _raw.plp_device_state_init(struct, sizeof(struct))
         check(_raw.plp_device_get_state(self._handle, struct))
-        return DeviceState(pose_of(struct.pose), tuple(struct.linear_velocity), tuple(struct.angular_velocity),
+        return DeviceState(pose_of(struct.pose), triple(struct.linear_velocity), triple(struct.angular_velocity),
                            struct.buttons, struct.time, struct.sequence, bool(struct.calibrated), Safety(struct.safety),
                            struct.gain, _wrench_of(struct.commanded), _wrench_of(struct.applied),
                            bool(struct.unactuated), struct.ticks,

@@ -3,6 +3,7 @@
 import atexit
 import enum
 from collections.abc import Callable
+from ctypes import c_void_p, cast
 from typing import TypeAlias
 
 from . import _raw
@@ -37,7 +38,7 @@ def set_log_callback(callback: LogCallback | None) -> None:
     whatever thread is in a call of this package, and must not call this package itself."""
     global _callback
     _callback = callback
-    _raw.plp_set_log_callback(_raw.plp_log_callback() if callback is None else _receive, None)
+    _raw.plp_set_log_callback(cast(c_void_p(), _raw.plp_log_callback) if callback is None else _receive, None)
 
 
 # The interpreter may be gone before the last model is.

@@ -89,8 +89,8 @@ def _fields(struct: ctypes.Structure) -> dict[str, Any]:
     return {name: tuple(value) if isinstance(value, ctypes.Array) else value for name, value in values.items()}
 
 
-def _options(weld_tolerance: float, double_sided: bool, keep_winding: bool, scene: int | None,
-             max_triangles: int, scale: float) -> _raw.plp_model_options:
+def model_options(weld_tolerance: float, double_sided: bool, keep_winding: bool, scene: int | None,
+                  max_triangles: int, scale: float = 1.0) -> _raw.plp_model_options:
     options = _raw.plp_model_options()
     _raw.plp_model_options_init(options, ctypes.sizeof(options))
     options.weld_tolerance = weld_tolerance
@@ -103,7 +103,7 @@ def _options(weld_tolerance: float, double_sided: bool, keep_winding: bool, scen
     return options
 
 
-def _path(path: str | bytes | os.PathLike[Any]) -> bytes:
+def encoded_path(path: str | bytes | os.PathLike[Any]) -> bytes:
     encoded = os.fsencode(path)
     if b"\0" in encoded:
         raise InvalidArgument("a path holds a null character")
@@ -124,8 +124,8 @@ class Model(Closing):
              scale: float = 1.0) -> "Model":
         """Loads a .gltf or .glb file, the whole scene baked into one model. External buffers come only from the
         file's own folder or below."""
-        options = _options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
-        return cls(create(_raw.plp_model_load_file, _raw.plp_model_release, _path(path), options))
+        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
+        return cls(create(_raw.plp_model_load_file, _raw.plp_model_release, encoded_path(path), options))
 
     @classmethod
     def from_bytes(cls, data: Any, folder: str | bytes | os.PathLike[Any] | None = None, *,
@@ -134,9 +134,9 @@ class Model(Closing):
         """From the bytes of a .gltf or .glb file, in anything that has a buffer. `folder` is where external buffers
         are, None if there are none."""
         content = data if isinstance(data, bytes) else bytes(memoryview(data))
-        options = _options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
+        options = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
         return cls(create(_raw.plp_model_load_memory, _raw.plp_model_release, content, len(content),
-                          None if folder is None else _path(folder), options))
+                          None if folder is None else encoded_path(folder), options))
 
     @classmethod
     def from_arrays(cls, positions: Any, indices: Any = None, *, space: Space | None = None,
@@ -147,7 +147,7 @@ class Model(Closing):
         are read in place, also when their rows are apart. `space` is that of the positions."""
         vertices = position_rows(positions)
         corners = None if indices is None else index_rows(indices)
-        options = _options(weld_tolerance, double_sided, keep_winding, None, max_triangles, scale)
+        options = model_options(weld_tolerance, double_sided, keep_winding, None, max_triangles, scale)
         return cls(create(_raw.plp_model_create_from_triangles, _raw.plp_model_release,
                           triangles_struct(vertices, corners, space), options))
 

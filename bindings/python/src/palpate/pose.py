@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 from . import _raw
 from ._errors import InvalidArgument
-from ._numbers import doubles
+from ._numbers import doubles, quadruple, triple
 
 # How far a matrix may be from rigid: single-precision rounding, with room for a product of several.
 _RIGID_TOLERANCE = 1e-5
@@ -69,11 +69,11 @@ def pose_struct(pose: PoseLike) -> _raw.plp_pose:
         if len(values) == 4:
             pose = Pose.from_matrix(values)
         elif len(values) == 7:
-            pose = Pose(tuple(values[:3]), tuple(values[3:]))
+            pose = Pose(triple(values[:3]), quadruple(values[3:]))
         else:
             raise InvalidArgument("pose is neither a Pose nor 7 numbers nor a 4×4 matrix")
     return _raw.plp_pose(doubles(pose.position, 3, "pose.position"), doubles(pose.orientation, 4, "pose.orientation"))
 
 
 def pose_of(struct: _raw.plp_pose) -> Pose:
-    return Pose(tuple(struct.position), tuple(struct.orientation))
+    return Pose(triple(struct.position), quadruple(struct.orientation))

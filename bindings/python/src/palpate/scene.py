@@ -2,8 +2,8 @@
 
 import os
 from collections.abc import Iterable
-from ctypes import byref, c_uint64, sizeof
-from typing import Literal
+from ctypes import byref, c_double, c_size_t, c_uint64, sizeof
+from typing import Any, Literal
 
 from . import _raw
 from ._errors import InvalidArgument, InvalidHandle, check
@@ -11,8 +11,9 @@ from ._native import Closing, Native, create
 from ._numbers import doubles, uint32
 from .contacts import Contacts, new_contacts_struct
 from .device import Device, device_mapping
+from .gltf_scene import BodyInfo, body_info, gltf_scene_options, text_bytes
 from .law import Law, law_number
-from .model import Model
+from .model import Model, encoded_path, model_options
 from .pose import Pose, PoseLike, pose_of, pose_struct
 from .recording import Recording, recording, stop_recording
 from .servo import ServoState, servo_options, servo_state
@@ -21,6 +22,7 @@ from .space import Space, space_struct
 Kind = Literal["static", "moving", "tool"]
 Mode = Literal["global", "descent", "certified"]
 _MODES = {"global": _raw.PLP_MODE_GLOBAL, "descent": _raw.PLP_MODE_DESCENT, "certified": _raw.PLP_MODE_CERTIFIED}
+_MOST_NODES = 1_000_000  # of a glTF file
 _KINDS = {"static": _raw.PLP_BODY_STATIC, "moving": _raw.PLP_BODY_MOVING, "tool": _raw.PLP_BODY_TOOL}
 
 
@@ -31,7 +33,8 @@ def _mode(mode: str) -> int:
 
 
 class Body:
-    """A body of one scene, made by Scene.add(). It keeps its scene's wrapper, but does not keep it open."""
+    """A body of one scene, made by Scene.add() or Scene.load_gltf(). It keeps its scene's wrapper, but does not keep it
+    open."""
 
     def __init__(self, scene: "Scene", body_id: int) -> None:
         self._scene = scene
@@ -52,6 +55,37 @@ class Body:
     @pose.setter
     def pose(self, pose: PoseLike) -> None:
         check(_raw.plp_scene_set_pose(self._scene._handle, self._id, pose_struct(pose)))
+
+    @property
+    def info(self) -> BodyInfo:
+        info = _raw.plp_body_info()
+        _raw.plp_body_info_init(info, sizeof(info))
+        check(_raw.plp_scene_get_body_info(self._scene._handle, self._id, info))
+        return body_info(info)
+
+    @property
+    def name(self) -> str:
+        """Of its node in a glTF file, cut after 255 bytes; "" if it has none."""
+        return self.info.name
+
+    @property
+    def model(self) -> Model:
+        """Its model, which bodies may share, in a wrapper of its own."""
+        return Model(create(_raw.plp_scene_get_body_model, _raw.plp_model_release, self._scene._handle, self._id))
+
+    @property
+    def node_matrix(self) -> tuple[float, ...]:
+        """What `matrix` its node has in its glTF file if that is to show it where it is now: 16 numbers, column by
+        column, in metres and the file's axes whatever the space of the scene."""
+        matrix = (c_double * 16)()
+        check(_raw.plp_scene_get_node_matrix(self._scene._handle, self._id, matrix))
+        return tuple(matrix)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Body) and (self._scene, self._id) == (other._scene, other._id)
+
+    def __hash__(self) -> int:
+        return hash((id(self._scene), self._id))
 
     def remove(self) -> None:
         check(_raw.plp_scene_remove_body(self._scene._handle, self._id))
@@ -174,9 +208,10 @@ class Scene(Closing):
 
     def add(self, model: Model, pose: PoseLike = Pose(), kind: Kind = "static", stiffness: float | None = None,
             reference_point: Iterable[float] = (0.0, 0.0, 0.0), *, damping: float | None = None,
-            friction: float | None = None) -> Body:
+            friction: float | None = None, intangible: bool = False) -> Body:
         """Adds a body; the scene keeps the model. `stiffness` against the tool in N/m; None or 0: the scene's.
-        `damping` in N·s/m and `friction` likewise; a negative friction is none. `reference_point` is the tool's, in its own frame and the scene's units: torques are about it."""
+        `damping` in N·s/m and `friction` likewise; a negative friction is none. `reference_point` is the tool's, in its
+        own frame and the scene's units: torques are about it. The tool passes through what is `intangible`."""
         if kind not in _KINDS:
             raise InvalidArgument(f"kind is {kind!r}, which is none of {', '.join(_KINDS)}")
         options = _raw.plp_body_options()
@@ -188,8 +223,43 @@ class Scene(Closing):
         options.damping = damping or 0.0
         options.friction = friction or 0.0
         options.reference_point = doubles(reference_point, 3, "reference_point")
+        options.intangible = bool(intangible)
         body = c_uint64()
         check(_raw.plp_scene_add_body(self._handle, options, byref(body)))
+        return Body(self, body.value)
+
+    def load_gltf(self, path: str | bytes | os.PathLike[Any], *, tool: str | None = None, pose: PoseLike = Pose(),
+                  cutoff: float | None = None, weld_tolerance: float = 0.0, double_sided: bool = False,
+                  keep_winding: bool = False, scene: int | None = None, max_triangles: int = 0,
+                  scale: float = 1.0) -> list[Body]:
+        """Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children; all or, on an
+        error, none. Nodes that share a mesh and a scale share a model. `tool` names the node that is the tool, with all
+        that is below it. `pose` is that of the file's scene in this one. `cutoff`: None leaves it as it is. Materials
+        come from `extras` (stiffness, damping, friction), MPEG_material_haptic and KHR_physics_rigid_bodies, as
+        palpate.h tells. The other options are those of Model.load()."""
+        model = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)
+        name = None if tool is None else text_bytes(tool, "tool")
+        options = gltf_scene_options(name, pose, cutoff, model)
+        ids = (c_uint64 * _MOST_NODES)()
+        count = c_size_t()
+        check(_raw.plp_scene_load_gltf(self._handle, encoded_path(path), options, ids, len(ids), byref(count)))
+        if cutoff:
+            self._cutoff = options.cutoff
+        return [Body(self, body) for body in ids[:count.value]]
+
+    @property
+    def bodies(self) -> list[Body]:
+        """All, in the order in which they were added, as long as none was removed."""
+        count = c_size_t()
+        check(_raw.plp_scene_list_bodies(self._handle, None, 0, byref(count)))
+        ids = (c_uint64 * count.value)()
+        check(_raw.plp_scene_list_bodies(self._handle, ids, count.value, byref(count)))
+        return [Body(self, body) for body in ids[:count.value]]
+
+    def find(self, name: str) -> Body:
+        """The body whose node has this name; of several the first. InvalidArgument if there is none."""
+        body = c_uint64()
+        check(_raw.plp_scene_find_body(self._handle, text_bytes(name, "name"), byref(body)))
         return Body(self, body.value)
 
     def step(self) -> Contacts:

@@ -36,6 +36,7 @@ class TraceBody(NamedTuple):
     reference_point: tuple[float, float, float]
     first_tick: int
     end_tick: int
+    intangible: bool
 
 
 class TraceTick(NamedTuple):
@@ -117,7 +118,8 @@ class Trace(Closing):
         check(_raw.plp_trace_get_body(self._handle, index, body))
         name = ctypes.string_at(body.model_name).decode(errors="replace")
         return TraceBody(body.body, _KINDS[body.kind], name, body.model_triangles, body.model_hash, body.stiffness,
-                         body.damping, body.friction, tuple(body.reference_point), body.first_tick, body.end_tick)
+                         body.damping, body.friction, tuple(body.reference_point), body.first_tick, body.end_tick,
+                         bool(body.intangible))
 
     def new_scene(self) -> Scene:
         """A scene as the recorded one was when the recording began, without its bodies."""
