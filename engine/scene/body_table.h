@@ -23,7 +23,7 @@ struct BodyOptions {
   double damping = 0.0;        // N·s/m against the tool while closing; 0: the scene's
   double friction = 0.0;       // Coulomb's coefficient against the tool; 0: the scene's, negative: none
   DVec3 reference_point{0.0};  // of the tool, model frame: torques are about it
-  std::string model_name;      // for people
+  std::string model_name{};    // for people
   bool intangible = false;     // the tool passes through it
 };
 
