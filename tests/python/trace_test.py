@@ -54,10 +54,10 @@ class TraceTest(unittest.TestCase):
                 self.assertEqual([tuple(contact["point_a"]) for contact in tick.contacts.contacts], points)
             self.assertEqual([tick.stiffness for tick in ticks], [500.0] * 20 + [600.0] * 20)
             self.assertEqual((ticks[3].mode, ticks[3].law, ticks[3].cutoff), ("certified", "smooth", 2.0))
-            self.assertEqual([tick.index for tick in ticks if tick.moves], [0, 20])
+            self.assertEqual([tick.tick for tick in ticks if tick.moves], [0, 20])
             self.assertAlmostEqual(ticks[20].moves[self.wall.id].position[0], 0.01)
             self.assertAlmostEqual(ticks[5].tool_pose.position[0], 12.4)
-            self.assertEqual(trace[-1].index, 39)
+            self.assertEqual(trace[-1].tick, 39)
             with self.assertRaises(IndexError):
                 trace[40]
         with self.assertRaises(palpate.InvalidHandle):
@@ -79,9 +79,9 @@ class TraceTest(unittest.TestCase):
             for tick in trace:
                 scene.stiffness = tick.stiffness
                 for recorded, body in zip(trace.bodies, bodies):
-                    trace.place(tick.index, recorded, body)
+                    trace.place(tick.tick, recorded, body)
                 contacts = scene.step()
-                self.assertEqual((contacts.wrench, contacts.min_distance), self.told[tick.index][:2])
+                self.assertEqual((contacts.wrench, contacts.min_distance), self.told[tick.tick][:2])
             scene.stop_recording()
             again = palpate.Trace(self.again)
             self.assertEqual([tick.wrench for tick in again], [wrench for wrench, *_ in self.told])

@@ -44,6 +44,7 @@ struct CubeOnFloor {
     scene.add(cube.handle, PLP_BODY_STATIC, at(0.0, -0.105, 0.0));
     tool = scene.add(cube.handle, PLP_BODY_TOOL, at(0.0, 0.0, 0.0));
     plp_scene_set_stiffness(scene.handle, 200.0);
+    plp_scene_set_stiffness_cap(scene.handle, -1.0);  // what is expected is one spring
   }
 
   plp_servo_state servo() {

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from . import _raw
 from ._errors import check
 from ._native import Closing, create
-from ._numbers import uint64
+from ._numbers import triple, uint64
 from ._records import Records, Span, view
 from .contacts import Contacts, Status, Wrench, new_contacts_struct
 from .law import Law
@@ -44,7 +44,7 @@ class TraceTick(NamedTuple):
     those that were removed. `contacts` has no springs and no list of overlaps. The rest is as in plp_trace_tick in
     palpate.h."""
 
-    index: int
+    tick: int  # its place in the trace
     step: int
     time: float
     clock: float
@@ -105,7 +105,8 @@ class Trace(Closing):
     def space(self) -> Space:
         """Of the scene; all that the trace gives is in it."""
         space = self._options.space
-        return Space(tuple(space.axes), space.metres_per_unit)
+        x, y, z = space.axes
+        return Space((x, y, z), space.metres_per_unit)
 
     @property
     def bodies(self) -> list[TraceBody]:
@@ -118,7 +119,7 @@ class Trace(Closing):
         check(_raw.plp_trace_get_body(self._handle, index, body))
         name = ctypes.string_at(body.model_name).decode(errors="replace")
         return TraceBody(body.body, _KINDS[body.kind], name, body.model_triangles, body.model_hash, body.stiffness,
-                         body.damping, body.friction, tuple(body.reference_point), body.first_tick, body.end_tick,
+                         body.damping, body.friction, triple(body.reference_point), body.first_tick, body.end_tick,
                          bool(body.intangible))
 
     def new_scene(self) -> Scene:
@@ -164,7 +165,7 @@ class Trace(Closing):
         moves = (_raw.plp_trace_move.from_address(tick.moves + i * tick.move_stride) for i in range(tick.move_count))
         placed = {move.body: pose_of(move.pose) for move in moves}
         removed = tuple((ctypes.c_uint64 * tick.removed_count).from_address(tick.removed)) if tick.removed_count else ()
-        wrench = Wrench(tuple(tick.wrench.force), tuple(tick.wrench.torque))
+        wrench = Wrench(triple(tick.wrench.force), triple(tick.wrench.torque))
         return TraceTick(index, tick.step, tick.time, tick.clock, tick.time_step, tick.lost, _MODES[tick.mode],
                          _LAWS[tick.law], tick.cutoff, tick.stiffness, tick.damping, tick.stiffness_cap, tick.friction,
                          tick.tool, pose_of(tick.tool_pose), placed, removed, wrench, Status(tick.status),
