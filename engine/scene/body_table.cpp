@@ -40,16 +40,19 @@ bool BodyTable::remove(BodyId id) {
 void BodyTable::place(std::unique_ptr<Body> body) {
   const std::uint32_t slot = slot_of(body->id);
   if (slot >= slots_.size()) slots_.resize(slot + 1);
-  slots_[slot] = std::move(body);
+  if (!slots_[slot].body) ++size_;
+  slots_[slot] = {std::move(body), 0.0};
 }
 
 std::unique_ptr<Body> BodyTable::take(BodyId id) {
-  return find(id) ? std::move(slots_[slot_of(id)]) : nullptr;
+  if (!find(id)) return nullptr;
+  --size_;
+  return std::move(slots_[slot_of(id)].body);
 }
 
 void BodyTable::move_to(Slots& larger) {
   larger.clear();
-  for (std::unique_ptr<Body>& body : slots_) larger.push_back(std::move(body));
+  for (Slot& slot : slots_) larger.push_back(std::move(slot));
   slots_.swap(larger);
 }
 
@@ -59,7 +62,21 @@ Body* BodyTable::find(BodyId id) {
 
 const Body* BodyTable::find(BodyId id) const {
   const std::uint32_t slot = slot_of(id);
-  return slot < slots_.size() && slots_[slot] && slots_[slot]->id == id ? slots_[slot].get() : nullptr;
+  if (slot >= slots_.size()) return nullptr;
+  const Body* body = slots_[slot].body.get();
+  return body && body->id == id ? body : nullptr;
+}
+
+bool BodyTable::set_pose(BodyId id, const Pose& pose) {
+  Body* body = find(id);
+  if (!body) return false;
+  body->set_pose(pose);
+  slots_[slot_of(id)].far_until = 0.0;
+  return true;
+}
+
+void BodyTable::forget_far() {
+  for (Slot& slot : slots_) slot.far_until = 0.0;
 }
 
 }  // namespace palpate

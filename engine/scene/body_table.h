@@ -55,12 +55,17 @@ class Body {
 // Bodies in slots whose order never changes.
 class BodyTable {
  public:
-  using Slots = std::vector<std::unique_ptr<Body>>;
+  struct Slot {
+    std::unique_ptr<Body> body;
+    double far_until = 0.0;  // on the tool's way: until there the body is out of its reach
+  };
+  using Slots = std::vector<Slot>;
 
   BodyId add(Body body);  // 0 if the table is full
   bool remove(BodyId id);
   Body* find(BodyId id);
   const Body* find(BodyId id) const;
+  bool set_pose(BodyId id, const Pose& pose);  // false: no such body
 
   // For who hands out the ids itself: neither allocates while the slots have room.
   void place(std::unique_ptr<Body> body);
@@ -72,14 +77,28 @@ class BodyTable {
   // Calls visit(id, body) for every body in the order of slots.
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (const std::unique_ptr<Body>& body : slots_) {
-      if (body) visit(body->id, *body);
+    for (const Slot& slot : slots_) {
+      if (slot.body) visit(slot.body->id, *slot.body);
     }
   }
+
+  // The same for those that the tool may reach after `way`. The visitor returns until where on the tool's way
+  // it will not, 0 where it does. The bodies themselves, each in a memory of its own, are not touched.
+  template <class Visit>
+  void for_each_near(double way, Visit&& visit) {
+    for (Slot& slot : slots_) {
+      if (!(slot.far_until > way) && slot.body) slot.far_until = visit(slot.body->id, *slot.body);
+    }
+  }
+
+  void forget_far();  // all may be within reach
+
+  std::size_t size() const { return size_; }  // bodies
 
  private:
   BodyIds ids_;
   Slots slots_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace palpate

@@ -1,6 +1,7 @@
 #include "engine/scene/scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "engine/base/clock.h"
@@ -59,9 +60,7 @@ void Scene::unfix() {
 }
 
 bool Scene::set_pose(BodyId id, const Pose& pose) {
-  Body* body = bodies_.find(id);
-  if (body) body->set_pose(pose);
-  return body != nullptr;
+  return bodies_.set_pose(id, pose);
 }
 
 void Scene::step(double dt) {
@@ -102,15 +101,19 @@ void Scene::set_executor(Executor* executor) {
 
 void Scene::find_near_bodies(const Body& tool) {
   near_.clear();
-  bodies_.for_each([&](BodyId id, Body& body) {
-    if (id != tool_) look_at(id, body, tool);
+  next_.work.bodies = bodies_.size() - 1;
+  if (!reach_.follow(tool.id, tool.sphere(), options_.cutoff)) bodies_.forget_far();
+  bodies_.for_each_near(reach_.way(), [&](BodyId id, Body& body) {
+    if (id == tool_) return 0.0;
+    // What is intangible is out of reach wherever it is.
+    const double far_until =
+        body.options().intangible ? std::numeric_limits<double>::max() : reach_.far_until(body.sphere());
+    far_until > 0.0 ? body.leave() : look_at(id, body, tool);
+    return far_until;
   });
 }
 
 void Scene::look_at(BodyId id, Body& body, const Body& tool) {
-  ++next_.work.bodies;
-  if (body.options().intangible || !within_reach(body.sphere(), tool.sphere(), options_.cutoff))
-    return body.leave();
   body.is_near = true;
   const bool ready = !fixed_ || body.against_tool.ready();
   if (!ready || (fixed_ && !has_room(near_, 1))) {

@@ -5,6 +5,7 @@
 #include "engine/scene/executor.h"
 #include "engine/scene/law_springs.h"
 #include "engine/scene/spring_forces.h"
+#include "engine/scene/tool_reach.h"
 
 namespace palpate {
 
@@ -110,6 +111,7 @@ class Scene {
   std::uint64_t steps_ = 0;
   double time_step_ = 0.0;
   BodyTable bodies_;
+  ToolReach reach_;
   BodyId tool_ = 0;
   std::vector<BodyId>* removed_ = nullptr;
   Executor* executor_ = nullptr;

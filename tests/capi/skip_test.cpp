@@ -60,7 +60,7 @@ TEST_P(SkipTest, AThousandBodiesWithOneNearCostWhatTheOneCosts) {
     crowd.add(far_.handle, i % 2 ? PLP_BODY_MOVING : PLP_BODY_STATIC,
               at(10.0 + 2 * (i % 10), 2 * (i / 10), 3));
   const plp_work in_crowd = slide_through(crowd), by_itself = slide_through(alone);
-  EXPECT_EQ(in_crowd.bodies, 1000u * kSteps) << "a sphere test each";
+  EXPECT_EQ(in_crowd.bodies, 1000u * kSteps) << "beside the tool";
   EXPECT_EQ(in_crowd.body_pairs, by_itself.body_pairs);
   EXPECT_EQ(in_crowd.node_pairs, by_itself.node_pairs);
   EXPECT_EQ(in_crowd.triangle_pairs, by_itself.triangle_pairs);

@@ -369,7 +369,7 @@ typedef struct plp_overlap {
 
 /** Work that a search did. */
 typedef struct plp_work {
-  uint64_t bodies;         /**< bodies whose bounding sphere was tested against the tool's */
+  uint64_t bodies;         /**< bodies beside the tool, near and far */
   uint64_t body_pairs;     /**< searched */
   uint64_t node_pairs;     /**< pairs of hierarchy nodes visited */
   uint64_t triangle_pairs; /**< pairs of triangles tested */
