@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/parallel.h"
 #include "engine/mesh/area.h"
 
 namespace palpate {
@@ -84,6 +85,16 @@ bool polar_cone_may_hold(const Tangents& tangents, double lean) {
         if (tangents.admit(glm::cross(d[j] - d[i], d[k] - d[i]), lean)) return true;
     }
   return false;
+}
+
+// Visits all below `count`, blocks of them side by side.
+template <class Visit>
+void for_blocks(std::uint32_t count, const Visit& visit) {
+  constexpr std::uint32_t kBlock = 1u << 14;
+  in_parallel((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+    const auto first = static_cast<std::uint32_t>(block) * kBlock;
+    for (std::uint32_t i = first; i < std::min(count, first + kBlock); ++i) visit(i);
+  });
 }
 
 // u leaves each of the triangles, beyond rounding: then any mean of their normals has it on its side.
@@ -190,10 +201,11 @@ void flag_features(Mesh& mesh) {
     mesh.edge_flags[edge].outward = false;
     for (std::uint32_t vertex : mesh.edges[edge].vertex) mesh.vertex_flags[vertex].outward = false;
   }
-  for (std::uint32_t edge = 0; edge < edge_count; ++edge)
-    mesh.edge_flags[edge].active = edge_may_hold(mesh, edge);
-  for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex)
+  for_blocks(edge_count,
+             [&](std::uint32_t edge) { mesh.edge_flags[edge].active = edge_may_hold(mesh, edge); });
+  for_blocks(vertex_count, [&](std::uint32_t vertex) {
     mesh.vertex_flags[vertex].active = vertex_may_hold(mesh, vertex, kSurelyOutside);
+  });
 }
 
 }  // namespace palpate

@@ -114,7 +114,7 @@ double GlobalSearch::search_radius(const Survey& survey, const Survey::NearBody&
   double moved = 0.0;
   if (pair.odometer && pair.searched) {
     pair.odometer->advance(placement);
-    moved = pair.odometer->rate().distance * to.scale;
+    moved = pair.odometer->rate().distance() * to.scale;
   } else {
     pair.odometer.emplace((survey.tool_model->centre() - from.origin) / from.scale,
                           (survey.tool_model->radius() + cutoff) / to.scale);

@@ -195,7 +195,7 @@ void PairSearch::follow(const Model& body, const Model& tool, const SearchOption
 double PairSearch::search_radius(const Model& body, const SearchOptions& options) const {
   if (service_) return std::max(options.cutoff, radius_);
   return options.cutoff +
-         (situation_.global_every + 1) * odometer_->rate().distance * body.mesh().frame.scale;
+         (situation_.global_every + 1) * odometer_->rate().distance() * body.mesh().frame.scale;
 }
 
 void PairSearch::adopt(const Model& body, const Model& tool, const SearchService::Searched& searched) {

@@ -179,7 +179,7 @@ Certificate FeatureCertificate::common_normal_leaning(const Feature& edge_a, con
 Certificate FeatureCertificate::across_normal(double slack, double arm, double sine) const {
   if (!(slack > 0)) return {};
   const double by_turn = (arm + slack) * (1.0 + kTurn / sine);
-  const double share = rate_.distance / (rate_.distance + rate_.angle * by_turn);
+  const double share = rate_.distance() / (rate_.distance() + rate_.angle() * by_turn);
   return {share * slack, std::min((1.0 - share) * slack / by_turn, 0.5 * sine)};
 }
 
@@ -276,7 +276,7 @@ Certificate FeatureCertificate::leaning_from_corner(const MeshSide& corner_side,
   const double slack = lateral(beyond, distance);
   if (!(slack > 0)) return {};
   const double by_turn = distance + slack;
-  const double share = rate_.distance / (rate_.distance + rate_.angle * by_turn);
+  const double share = rate_.distance() / (rate_.distance() + rate_.angle() * by_turn);
   Certificate certificate = seen_from(corner_side, share * slack);
   certificate.angle = (1.0 - share) * slack / by_turn;
   return certificate;

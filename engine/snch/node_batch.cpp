@@ -326,7 +326,7 @@ void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std
   const Float swept = hn::Max(hn::Max(boxes.from_a, clear_of(cone_a)),
                               seen_from_b(hn::Max(boxes.from_b, clear_of(cone_b)), reach));
   const Float turned = angle_between(cone_a, cone_b);
-  const Float ratio = constant(static_cast<float>(rate.distance / rate.angle));
+  const Float ratio = constant(static_cast<float>(rate.distance() / rate.angle()));
   const Mask by_turn = hn::Gt(hn::Mul(turned, ratio), swept);
 
   const Mask is_far = hn::Gt(far, zero);

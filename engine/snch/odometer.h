@@ -26,13 +26,23 @@ inline Certificate both(const Certificate& one, const Certificate& other) {
 }
 
 // How fast the models move, to tell which of two certificates will hold longer.
-struct MotionRate {
-  double distance = 1e-6;  // a tick
-  double angle = 1e-6;
+class MotionRate {
+ public:
+  MotionRate() : MotionRate(1e-6, 1e-6) {}
+  MotionRate(double distance, double angle)
+      : distance_(distance), angle_(angle), ticks_a_distance_(1.0 / distance), ticks_an_angle_(1.0 / angle) {}
 
+  double distance() const { return distance_; }  // a tick
+  double angle() const { return angle_; }
   double lifetime(const Certificate& certificate) const {
-    return std::min(certificate.distance / distance, certificate.angle / angle);
+    return std::min(certificate.distance * ticks_a_distance_, certificate.angle * ticks_an_angle_);
   }
+
+ private:
+  double distance_;
+  double angle_;
+  double ticks_a_distance_;  // asked for often: a division is spared
+  double ticks_an_angle_;
 };
 
 // Either fact will do: the certificate that is likely to hold longer.
@@ -67,10 +77,9 @@ class Odometer {
     }
     const double chord = std::sqrt(0.5 * turned_squared);  // 2 sin(angle / 2)
     const double turned = 2.0 * std::asin(std::min(1.0, 0.5 * chord));
-    rate_.distance = glm::length(moved) + chord * reach_ + kRounding;
-    rate_.angle = turned + kRounding;
-    distance_ += rate_.distance;
-    angle_ += rate_.angle;
+    rate_ = MotionRate(glm::length(moved) + chord * reach_ + kRounding, turned + kRounding);
+    distance_ += rate_.distance();
+    angle_ += rate_.angle();
     remember(placement);
   }
 

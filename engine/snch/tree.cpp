@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/base/clock.h"
+#include "engine/base/parallel.h"
 #include "engine/math/box.h"
 #include "engine/snch/near_polar.h"
 #include "engine/snch/polar_directions.h"
@@ -26,6 +27,9 @@ constexpr double kOutward = 1.0 + 1e-6;
 // Above this many triangles a sphere is that of the box: visiting all corners at every level would cost n log
 // n.
 constexpr std::uint32_t kExactLeaves = 512;
+
+// What one thread fills at a time.
+constexpr std::uint32_t kSubtreeLeaves = 1u << 13;
 
 std::vector<std::uint32_t> leaf_triangles(const std::vector<TopologyNode>& topology) {
   std::vector<std::uint32_t> order;
@@ -67,19 +71,44 @@ class NodeFiller {
         cone_margin_(creases ? kConeMargin + kSmoothingAngle : kConeMargin),
         nodes_(nodes) {}
 
+  // Small subtrees side by side, then what is above them.
   void fill() {
     nodes_.resize(topology_.size());
-    auto rank = static_cast<std::uint32_t>(order_.size());
-    for (auto i = static_cast<std::uint32_t>(topology_.size()); i-- > 0;) {
-      if (topology_[i].link & Node::kLeaf) --rank;
-      const std::uint32_t leaves = (topology_[i].end - i + 1) / 2;
-      nodes_[i].link = topology_[i].link;
-      fill_bounds(i, rank, rank + leaves);
-      fill_cone(i, rank, rank + leaves);
+    std::vector<Place> small, above;
+    std::uint32_t rank = 0;
+    for (std::uint32_t i = 0; i < topology_.size();) {
+      const bool is_small = leaves_of(i) <= kSubtreeLeaves;
+      (is_small ? small : above).push_back({i, rank});
+      if (is_small) rank += leaves_of(i);
+      i = is_small ? topology_[i].end : i + 1;
     }
+    in_parallel(small.size(), [&](std::size_t subtree) { fill_subtree(small[subtree]); });
+    for (auto place = above.rbegin(); place != above.rend(); ++place) fill_node(*place);
   }
 
  private:
+  struct Place {
+    std::uint32_t node;
+    std::uint32_t rank;  // of its first leaf
+  };
+
+  std::uint32_t leaves_of(std::uint32_t i) const { return (topology_[i].end - i + 1) / 2; }
+
+  void fill_subtree(const Place& root) {
+    std::uint32_t rank = root.rank + leaves_of(root.node);
+    for (std::uint32_t i = topology_[root.node].end; i-- > root.node;) {
+      if (topology_[i].link & Node::kLeaf) --rank;
+      fill_node({i, rank});
+    }
+  }
+
+  void fill_node(const Place& place) {
+    const auto [i, rank] = place;
+    nodes_[i].link = topology_[i].link;
+    fill_bounds(i, rank, rank + leaves_of(i));
+    fill_cone(i, rank, rank + leaves_of(i));
+  }
+
   // `first` of an inner node is the rank of its first leaf: it is visited right after that leaf.
   void fill_bounds(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
     Node& node = nodes_[i];
