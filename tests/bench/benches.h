@@ -5,6 +5,9 @@
 
 namespace palpate::bench {
 
+// Nanoseconds a pair of the wide tests of triangles and nodes, for every instruction set of the processor.
+void bench_kernels(const Effort& effort, Table& table);
+
 // Time and memory of the hierarchy against the number of triangles of one shape.
 void bench_build(const Effort& effort, Table& table);
 

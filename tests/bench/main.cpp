@@ -14,8 +14,11 @@ struct Bench {
   void (*run)(const Effort&, Table&);
 };
 
-constexpr Bench kBenches[] = {
-    {"build", bench_build}, {"pairs", bench_pairs}, {"growth", bench_growth}, {"bodies", bench_bodies}};
+constexpr Bench kBenches[] = {{"kernels", bench_kernels},
+                              {"build", bench_build},
+                              {"pairs", bench_pairs},
+                              {"growth", bench_growth},
+                              {"bodies", bench_bodies}};
 
 struct Arguments {
   std::string out = "bench.csv";
@@ -57,7 +60,8 @@ void run(const Arguments& arguments) {
     found = true;
     bench.run(arguments.effort, table);
   }
-  if (!found) throw std::runtime_error("--only " + arguments.only + ": it is build, pairs, growth or bodies");
+  if (!found)
+    throw std::runtime_error("--only " + arguments.only + ": it is kernels, build, pairs, growth or bodies");
   table.say("written to " + arguments.out);
 }
 

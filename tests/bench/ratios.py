@@ -2,7 +2,7 @@
 
 import sys
 
-from results import Results
+from results import Results, parameter
 
 
 def show(what, value, bar=None, unit=""):
@@ -49,6 +49,14 @@ def growth(results):
                     print(f"    {quantity} ({column}): {', '.join(f'{count:,.4g}' for _, count in counts)}")
 
 
+def kernels(results):
+    print("Kernels, nanoseconds a pair, median")
+    for row in results.find(bench="kernels"):
+        target = parameter(row, "target")
+        bar = 25.0 if (row["method"], target) == ("triangle_batch", "AVX2") else None
+        show(f"{row['method']}: {target}", float(row["p50"]), bar, " ns")
+
+
 def build(results):
     largest = results.against("build", "triangles", "palpate", "time", "p50")
     nearest = min(largest, key=lambda entry: abs(entry[0] - 1e6))
@@ -67,7 +75,7 @@ def main():
     results = Results(sys.argv[1])
     print(results.origin())
     present = {row["bench"] for row in results.rows}
-    for bench, parts in (("pairs", (ratios_to_fcl, descents, completeness)), ("growth", (growth,)), ("build", (build,)),
+    for bench, parts in (("pairs", (ratios_to_fcl, descents, completeness)), ("growth", (growth,)), ("kernels", (kernels,)), ("build", (build,)),
                          ("bodies", (bodies,))):
         if bench in present:
             for part in parts:

@@ -11,7 +11,7 @@ Usage: bash tests/bench/run.sh [--quick] [--long] [--only NAME]
 
   --quick       about a minute: fewer poses, scenes and sizes
   --long        also models of ten million triangles, which take some gigabytes
-  --only NAME   one of build, pairs, growth, bodies
+  --only NAME   one of kernels, build, pairs, growth, bodies
   --help        this text
 
   PALPATE_DATA   folder of the large meshes; their scenes are left out without it
