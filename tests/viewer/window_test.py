@@ -23,8 +23,9 @@ class Display:
 
     def __init__(self):
         numbers, write = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten",
-                                        "tcp"], pass_fds=(write,), stdout=subprocess.DEVNULL,
+        # It would begin anew when its last client leaves, and take the viewer's connection along.
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-noreset",
+                                        "-nolisten", "tcp"], pass_fds=(write,), stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(numbers) as pipe:

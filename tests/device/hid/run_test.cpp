@@ -38,25 +38,22 @@ TEST_F(HidRun, AThousandSamplesASecondArriveWithoutLoss) {
               mock->refused());
 }
 
-// Neither the servo nor the threads beside it, with and without faults. The mock has no thread of its own
-// here, and so takes nothing: transfers soon block.
+// Neither the servo nor the threads beside it. The mock has no thread of its own here, and so takes nothing:
+// transfers block, sooner or later.
 TEST_F(HidRun, ATickAllocatesNothing) {
   const auto mock = std::make_shared<MockOhhp>();
   const int number = bus_.plug(mock);
   GuardedDevice device(open("1209:0001"));
   device.arm();
   hid_device::HapticDevice sampled;
-  bool pushed = false;
   const std::uint64_t before = allocation_count();
   for (int i = 0; i < 300; ++i) {
     if (i % 100 < 80) mock->send(sampled.step());
     device.read();
     device.write({DVec3(0.0, 1.0, 0.0), DVec3(0.0)}, true, 1e-3);
-    pushed |= device.status().applied.force.y > 0.0;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(allocation_count(), before);
-  EXPECT_TRUE(pushed);
   EXPECT_GT(device.status().safety.ticks_of(Limiter::kDevice), 0u);
   bus_.unplug(number);  // which ends the transfer, as a kernel does after a while
 }
