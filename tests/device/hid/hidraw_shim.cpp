@@ -24,6 +24,22 @@ HidrawNodes* nodes() {
   return standing_in.load(std::memory_order_acquire);
 }
 
+// Descriptors that are ours. A sanitizer opens and closes files while it reports, and must not wait for a
+// lock that whoever it reports on may hold: for all other descriptors none is taken.
+constexpr int kDescriptors = 4096;
+std::atomic<bool> is_ours[kDescriptors];
+
+bool has(int descriptor) {
+  return descriptor >= 0 && descriptor < kDescriptors && nodes() &&
+         is_ours[descriptor].load(std::memory_order_acquire);
+}
+
+int opened(int descriptor) {
+  if (descriptor >= 0 && descriptor < kDescriptors)
+    is_ours[descriptor].store(true, std::memory_order_release);
+  return descriptor;
+}
+
 bool is_hidraw(const char* path) {
   return path && std::strncmp(path, "/dev/hidraw", 11) == 0;
 }
@@ -41,7 +57,7 @@ Function* system_own(const char* name) {
 }
 
 int open_as(const char* name, const char* path, int flags, mode_t mode) {
-  if (is_hidraw(path) && nodes()) return returned(nodes()->open(path));
+  if (is_hidraw(path) && nodes()) return returned(opened(nodes()->open(path)));
   return system_own<int(const char*, int, ...)>(name)(path, flags, mode);
 }
 
@@ -96,19 +112,22 @@ int ioctl(int descriptor, unsigned long request, ...) noexcept {
   va_start(arguments, request);
   void* const argument = va_arg(arguments, void*);
   va_end(arguments);
-  if (nodes() && nodes()->has(descriptor)) return returned(nodes()->ioctl(descriptor, request, argument));
+  if (has(descriptor)) return returned(nodes()->ioctl(descriptor, request, argument));
   return system_own<int(int, unsigned long, ...)>("ioctl")(descriptor, request, argument);
 }
 
 // glibc declares that it only writes what it is given.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 int poll(pollfd* files, nfds_t count, int timeout) {
-  if (count == 1 && nodes() && nodes()->has(files[0].fd)) nodes()->before_poll(files[0].fd);
+  if (count == 1 && has(files[0].fd)) nodes()->before_poll(files[0].fd);
   return system_own<int(pollfd*, nfds_t, int)>("poll")(files, count, timeout);
 }
 
 int close(int descriptor) {
-  if (nodes() && nodes()->has(descriptor)) nodes()->closing(descriptor);
+  if (has(descriptor)) {
+    is_ours[descriptor].store(false, std::memory_order_release);
+    nodes()->closing(descriptor);
+  }
   return system_own<int(int)>("close")(descriptor);
 }
 

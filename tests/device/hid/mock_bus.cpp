@@ -120,10 +120,6 @@ int MockBus::access(const std::string& path) {
   return node ? node->access() : -ENOENT;
 }
 
-bool MockBus::has(int descriptor) {
-  return of(descriptor) != nullptr;
-}
-
 int MockBus::ioctl(int descriptor, unsigned long request, void* argument) {
   const auto node = of(descriptor);
   return node ? node->ioctl(descriptor, request, argument) : -EBADF;

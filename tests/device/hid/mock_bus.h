@@ -26,7 +26,6 @@ class MockBus final : public HidrawNodes {
 
   int open(const std::string& path) override;
   int access(const std::string& path) override;
-  bool has(int descriptor) override;
   int ioctl(int descriptor, unsigned long request, void* argument) override;
   void before_poll(int descriptor) override;
   void closing(int descriptor) override;
