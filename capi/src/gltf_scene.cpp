@@ -63,12 +63,6 @@ BodyKind kind_of(const GltfBody& body) {
   return body.moves ? BodyKind::kMoving : BodyKind::kStatic;
 }
 
-DMat4 matrix_of(const Pose& pose) {
-  DMat4 matrix(pose.rotation);
-  matrix[3] = glm::dvec4(pose.translation, 1.0);
-  return matrix;
-}
-
 // A friction of 0 is none in a file, and the scene's in BodyOptions.
 double friction_of(const HapticMaterial& material) {
   return material.friction == 0.0 ? -1.0 : material.friction.value_or(0.0);

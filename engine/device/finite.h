@@ -4,12 +4,9 @@
 
 #include "engine/device/device_state.h"
 #include "engine/device/device_wrench.h"
+#include "engine/math/finite.h"
 
 namespace palpate {
-
-inline bool is_finite(const DVec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 inline bool is_finite(const DeviceWrench& wrench) {
   return is_finite(wrench.force) && is_finite(wrench.torque);

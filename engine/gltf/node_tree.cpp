@@ -1,23 +1,10 @@
 #include "engine/gltf/node_tree.h"
 
-#include <cmath>
-
 #include "engine/gltf/load_error.h"
 #include "engine/gltf/node_transform.h"
+#include "engine/math/finite.h"
 
 namespace palpate::gltf {
-namespace {
-
-bool is_finite(const DMat4& matrix) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) return false;
-    }
-  }
-  return true;
-}
-
-}  // namespace
 
 NodeTree::NodeTree(const GltfDocument& document, const GltfLimits& limits)
     : document_(document),

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <thread>
 #include <utility>
 
+#include "engine/math/finite.h"
 #include "engine/runtime/scene_commands.h"
 #include "engine/runtime/trace_records.h"
 
@@ -38,19 +38,6 @@ std::unique_ptr<Command> change_of(Change change) {
 
 BodyKind kind_of(const NewBody& body) {
   return body.options.kind;
-}
-
-DMat4 matrix_of(const Pose& pose) {
-  DMat4 matrix(pose.rotation);
-  matrix[3] = glm::dvec4(pose.translation, 1.0);
-  return matrix;
-}
-
-bool is_finite(const DMat4& matrix) {
-  for (int i = 0; i < 16; ++i) {
-    if (!std::isfinite(matrix[i / 4][i % 4])) return false;
-  }
-  return true;
 }
 
 void destroy_all(Letter* letter) {
