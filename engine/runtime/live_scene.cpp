@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "engine/math/finite.h"
@@ -24,12 +23,6 @@ constexpr double kReadyReach = 2.0;
 // The servo lets a device go in its next tick, after which anybody may have it. One that does not tick is not
 // waited for any longer than this.
 constexpr std::chrono::milliseconds kLongestWait{100};
-constexpr std::chrono::microseconds kLookAgain{50};
-
-void wait_for(const Flag& done) {
-  const auto end = std::chrono::steady_clock::now() + kLongestWait;
-  while (!done.raised() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLookAgain);
-}
 
 template <class Change>
 std::unique_ptr<Command> change_of(Change change) {
@@ -273,21 +266,19 @@ void LiveScene::set_mode(SearchMode mode) {
 }
 
 Status LiveScene::set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
-  const auto done = std::make_shared<Flag>();
-  bool live = false;
+  const auto done = std::make_shared<Bell>();
   {
     const std::lock_guard lock(mutex_);
     if (device && device != device_ && !device->claim())
       return Error{ErrorCode::kWrongState, "another scene has the device; take it from there first"};
     if (BodyRecord* const tool = find(tool_)) tool->in_hand = true;
     device_ = device;
-    live = live_;
     change([this, device, mapping, done](Scene&) mutable {
       device = loop_.exchange(std::move(device), mapping);
-      done->raise();
+      done->ring();
     });
   }
-  if (live) wait_for(*done);
+  done->wait(kLongestWait);
   return Done{};
 }
 
@@ -312,36 +303,36 @@ Status LiveScene::record(const std::string& path, const TraceSpace& space) {
   if (!recorder) return recorder.error();
   for (const auto& record : records_)
     if (record) recorder.value()->add(trace_of(record->id, record->options));
-  attach(recorder.value(), std::make_shared<Flag>());
+  attach(recorder.value());
   recording_ = std::move(recorder.value());
   return Done{};
 }
 
 Status LiveScene::stop_recording(Recording& outcome) {
-  const auto done = std::make_shared<Flag>();
+  std::shared_ptr<Bell> done;
   std::shared_ptr<SceneRecorder> ended;
-  bool live = false;
   {
     const std::lock_guard lock(mutex_);
     if (!recording_) return Error{ErrorCode::kWrongState, "the scene is not recorded"};
-    attach(nullptr, done);
+    done = attach(nullptr);
     ended = std::move(recording_);
-    live = live_;
   }
-  if (live) wait_for(*done);
+  done->wait(kLongestWait);
   const Status status = ended->finish();
   outcome = ended->state();
   return status;
 }
 
-// The servo takes it up, or lets it go, between two ticks.
-void LiveScene::attach(std::shared_ptr<SceneRecorder> recorder, std::shared_ptr<Flag> done) {
+// The servo takes it up, or lets it go, between two ticks, and then rings.
+std::shared_ptr<Bell> LiveScene::attach(std::shared_ptr<SceneRecorder> recorder) {
+  const auto done = std::make_shared<Bell>();
   change([this, recorder, done](Scene& scene) mutable {
     if (recorder_) recorder_->leave(scene);
     if (recorder) recorder->meet(scene);
     recorder_.swap(recorder);
-    done->raise();
+    done->ring();
   });
+  return done;
 }
 
 Recording LiveScene::recording() {

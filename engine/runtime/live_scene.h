@@ -8,6 +8,7 @@
 
 #include "engine/base/result.h"
 #include "engine/device/servo_task.h"
+#include "engine/exchange/bell.h"
 #include "engine/exchange/counter.h"
 #include "engine/exchange/mailbox.h"
 #include "engine/exchange/triple_slot.h"
@@ -136,7 +137,7 @@ class LiveScene : public ServoTask {
   void publish(double dt);
   void publish_tool(double dt);
   void destroy_returned();
-  void attach(std::shared_ptr<SceneRecorder> recorder, std::shared_ptr<Flag> done);
+  std::shared_ptr<Bell> attach(std::shared_ptr<SceneRecorder> recorder);
   void take_survey();
   bool soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const;
 

@@ -84,8 +84,7 @@ void SceneRecorder::push_tick(const TraceTick& tick, Scene& scene, Push&& push) 
 }
 
 Recording SceneRecorder::state() {
-  const std::lock_guard lock(mutex_);
-  return {!stopped_, writer_->counts()};
+  return {!stopped_.raised(), writer_->counts()};
 }
 
 Status SceneRecorder::finish() {
@@ -95,22 +94,17 @@ Status SceneRecorder::finish() {
 
 void SceneRecorder::drain_till_stopped() {
   begin_own_thread("palpate-trace");
-  std::unique_lock lock(mutex_);
-  while (!stopped_) {
-    lock.unlock();
+  while (!stopped_.raised()) {
     writer_->drain();
-    lock.lock();
-    woken_.wait_for(lock, kDrainEvery, [this] { return stopped_; });
+    woken_.wait(kDrainEvery);
   }
 }
 
 void SceneRecorder::stop_thread() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopped_ = true;
-  }
-  woken_.notify_all();
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return;
+  stopped_.raise();
+  woken_.ring();
+  thread_.join();
 }
 
 }  // namespace palpate

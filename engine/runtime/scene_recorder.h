@@ -1,13 +1,13 @@
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "engine/base/clock.h"
+#include "engine/exchange/bell.h"
+#include "engine/exchange/flag.h"
 #include "engine/scene/scene.h"
 #include "engine/trace/trace_writer.h"
 
@@ -59,9 +59,8 @@ class SceneRecorder {
   std::vector<BodyId> removed_;  // since
   std::uint64_t lost_ = 0;       // since
 
-  std::mutex mutex_;  // guards what follows
-  std::condition_variable woken_;
-  bool stopped_ = false;
+  Flag stopped_;
+  Bell woken_;
   std::thread thread_;
 };
 

@@ -46,6 +46,32 @@ SurfacePlace place_from(const TraceContact& contact, int side) {
   return {static_cast<FeatureKind>(contact.feature[side]), contact.corner[side], contact.triangle[side]};
 }
 
+Contact contact_from(const TraceContact& contact) {
+  Contact found;
+  found.point_a = vector_from(contact.point_a);
+  found.point_b = vector_from(contact.point_b);
+  found.normal = vector_from(contact.normal);
+  found.distance = contact.distance;
+  found.weight = contact.weight;
+  found.force = vector_from(contact.force);
+  found.body_a = contact.body_a;
+  found.body_b = contact.body_b;
+  found.set = contact.set;
+  found.place_a = place_from(contact, 0);
+  found.place_b = place_from(contact, 1);
+  return found;
+}
+
+TraceSettings trace_settings(const SceneOptions& options) {
+  return {options.cutoff,
+          options.stiffness,
+          options.damping,
+          options.stiffness_cap,
+          options.friction,
+          static_cast<std::uint32_t>(options.mode),
+          static_cast<std::uint32_t>(options.law)};
+}
+
 }  // namespace
 
 TraceVector trace_of(const DVec3& vector) {
@@ -58,16 +84,6 @@ TracePose trace_of(const Pose& pose) {
     for (int row = 0; row < 3; ++row) traced.rotation[3 * column + row] = pose.rotation[column][row];
   traced.translation = trace_of(pose.translation);
   return traced;
-}
-
-TraceSettings trace_settings(const SceneOptions& options) {
-  return {options.cutoff,
-          options.stiffness,
-          options.damping,
-          options.stiffness_cap,
-          options.friction,
-          static_cast<std::uint32_t>(options.mode),
-          static_cast<std::uint32_t>(options.law)};
 }
 
 // The cap may be the device's, which is not there when a trace is replayed.
@@ -147,22 +163,6 @@ Pose pose_from(const TracePose& pose) {
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) found.rotation[column][row] = pose.rotation[3 * column + row];
   found.translation = vector_from(pose.translation);
-  return found;
-}
-
-Contact contact_from(const TraceContact& contact) {
-  Contact found;
-  found.point_a = vector_from(contact.point_a);
-  found.point_b = vector_from(contact.point_b);
-  found.normal = vector_from(contact.normal);
-  found.distance = contact.distance;
-  found.weight = contact.weight;
-  found.force = vector_from(contact.force);
-  found.body_a = contact.body_a;
-  found.body_b = contact.body_b;
-  found.set = contact.set;
-  found.place_a = place_from(contact, 0);
-  found.place_b = place_from(contact, 1);
   return found;
 }
 

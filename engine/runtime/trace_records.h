@@ -9,7 +9,6 @@ namespace palpate {
 
 TraceVector trace_of(const DVec3& vector);
 TracePose trace_of(const Pose& pose);
-TraceSettings trace_settings(const SceneOptions& options);
 TraceSettings trace_settings(const Scene& scene);  // those in force
 TraceHeader trace_of(const SceneOptions& options, const TraceSpace& space);
 TraceBody trace_of(BodyId id, const BodyOptions& options);
@@ -20,7 +19,6 @@ TraceTick trace_of(const Contacts& contacts);
 
 DVec3 vector_from(const TraceVector& vector);
 Pose pose_from(const TracePose& pose);
-Contact contact_from(const TraceContact& contact);
 // All but springs and the list of overlaps, which are not in a trace. Keeps the memory.
 void fill_from(const TraceStep& step, Contacts& contacts);
 
