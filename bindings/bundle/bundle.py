@@ -64,12 +64,12 @@ def bundle(library, folder):
 
 
 def notices(originals):
-    """The licences of what is not this project's own, by the names of their Debian packages."""
+    """The licences of what is not this project's own, under the names of their Debian packages, as Markdown."""
     texts = {}
     for original in originals[1:]:
         owner = output_of("dpkg", "-S", original).split(":")[0]
         texts[owner] = Path("/usr/share/doc", owner, "copyright").read_text()
-    return texts
+    return "\n".join(f"# {name}\n\n```text\n{text}```\n" for name, text in sorted(texts.items()))
 
 
 def main():

@@ -24,9 +24,7 @@ def pack(plugin, folder):
     shutil.copyfile(ROOT / "LICENSE", addon / "LICENSE.md")
     originals = bundle.bundle(plugin, addon)
     others = [path for path in originals if not path.name.startswith("libpalpate.so")]
-    texts = sorted(bundle.notices(others).items())
-    notices = "\n".join(f"# {name}\n\n```text\n{text}```\n" for name, text in texts)
-    (addon / "Third Party Notices.md").write_text(notices)
+    (addon / "Third Party Notices.md").write_text(bundle.notices(others))
     return addon
 
 

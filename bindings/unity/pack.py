@@ -26,6 +26,7 @@ def own_files():
     files = {str(path.relative_to(HERE)): path.read_bytes() for path in HERE.rglob("*") if path.suffix in TAKEN}
     for source in (ROOT / "bindings" / "csharp" / "src").glob("*.cs"):
         files[f"Runtime/Binding/{source.name}"] = source.read_bytes()
+    files[f"Documentation~/{meta.PACKAGE}.md"] = files["README.md"]
     files["LICENSE.md"] = (ROOT / "LICENSE").read_bytes()
     files["CHANGELOG.md"] = (ROOT / "CHANGELOG.md").read_bytes()
     return files
@@ -35,8 +36,7 @@ def native_files(library):
     with tempfile.TemporaryDirectory() as folder:
         originals = bundle.bundle(library, folder)
         files = {f"{PLUGINS}/{path.name}": path.read_bytes() for path in Path(folder).iterdir()}
-    texts = sorted(bundle.notices(originals).items())
-    files["Third Party Notices.md"] = "\n".join(f"# {name}\n\n```text\n{text}```\n" for name, text in texts).encode()
+    files["Third Party Notices.md"] = bundle.notices(originals).encode()
     return files
 
 

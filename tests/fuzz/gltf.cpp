@@ -17,21 +17,13 @@ void require_sound_info(const plp_model_info& info) {
     require(std::isfinite(info.bounds_min[axis]) && info.bounds_min[axis] <= info.bounds_max[axis], "bounds");
 }
 
-void touch(plp_model model, const plp_model_info& info) {
+void search(plp_model model, const plp_model_info& info) {
   plp_query_options options;
   plp_query_options_init(&options, sizeof options);
   options.cutoff = 0.05 * info.diagonal;
   if (!(options.cutoff > 0.0 && options.cutoff < 1e15)) return;
   const plp_pose pose = {{0.6 * info.diagonal, 0.2 * info.diagonal, 0.0}, {0.1, 0.2, 0.3, 0.9}};
-  plp_query_result result = nullptr;
-  require(checked(plp_query_result_create(&result)) == PLP_OK, "room for a result");
-  if (checked(plp_query(model, model, &pose, &options, result)) == PLP_OK) {
-    plp_contacts contacts;
-    plp_contacts_init(&contacts, sizeof contacts);
-    require(checked(plp_query_result_get(result, &contacts)) == PLP_OK, "an outcome");
-    require_sound(contacts, options.cutoff);
-  }
-  plp_query_result_release(result);
+  touch(model, model, pose, options);
 }
 
 }  // namespace
@@ -49,7 +41,7 @@ void gltf(std::span<const std::uint8_t> bytes) {
   plp_model_info_init(&info, sizeof info);
   require(checked(plp_model_get_info(model, &info)) == PLP_OK, "an info");
   require_sound_info(info);
-  if (info.searched.triangles <= kMostSearched) touch(model, info);
+  if (info.searched.triangles <= kMostSearched) search(model, info);
   require(checked(plp_model_release(model)) == PLP_OK, "a model to release");
 }
 

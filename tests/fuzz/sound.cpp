@@ -47,6 +47,18 @@ void require_sound(const plp_contacts& contacts, double cutoff) {
   require(contacts.overlap == 1 || contacts.overlap_count == 0, "no overlaps listed where there is none");
 }
 
+void touch(plp_model a, plp_model b, const plp_pose& pose, const plp_query_options& options) {
+  plp_query_result result = nullptr;
+  require(checked(plp_query_result_create(&result)) == PLP_OK, "room for a result");
+  if (checked(plp_query(a, b, &pose, &options, result)) == PLP_OK) {
+    plp_contacts contacts;
+    plp_contacts_init(&contacts, sizeof contacts);
+    require(checked(plp_query_result_get(result, &contacts)) == PLP_OK, "an outcome");
+    require_sound(contacts, options.cutoff);
+  }
+  plp_query_result_release(result);
+}
+
 void require_sound(const plp_device_state& state) {
   require(finite(state.applied.force) && finite(state.applied.torque), "a finite wrench on the hand");
   require(finite(state.pose.position), "a finite pose of the handle");

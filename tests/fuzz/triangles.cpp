@@ -45,21 +45,13 @@ plp_model make(Input& input) {
   return model;
 }
 
-void touch(Input& input, plp_model a, plp_model b) {
+void search(Input& input, plp_model a, plp_model b) {
   plp_query_options options;
   plp_query_options_init(&options, sizeof options);
   options.cutoff = 0.5 + input.number();
   options.law = static_cast<std::int32_t>(input.below(2));
   const plp_pose pose = input.pose();
-  plp_query_result result = nullptr;
-  require(checked(plp_query_result_create(&result)) == PLP_OK, "room for a result");
-  if (checked(plp_query(a, b, &pose, &options, result)) == PLP_OK) {
-    plp_contacts contacts;
-    plp_contacts_init(&contacts, sizeof contacts);
-    require(checked(plp_query_result_get(result, &contacts)) == PLP_OK, "an outcome");
-    require_sound(contacts, options.cutoff);
-  }
-  plp_query_result_release(result);
+  touch(a, b, pose, options);
 }
 
 }  // namespace
@@ -69,7 +61,7 @@ void triangles(std::span<const std::uint8_t> bytes) {
   const plp_model a = make(input);
   const plp_model b = make(input);
   for (int i = 0; i < 4; ++i)
-    if (a && b) touch(input, a, b);
+    if (a && b) search(input, a, b);
   plp_model_release(a);
   plp_model_release(b);
 }
