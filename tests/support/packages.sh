@@ -1,4 +1,4 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, the run.sh of benchmarks, fuzzers and stress, and samples/run.sh source
 # this file.
 
 palpate_build_packages=(
@@ -22,6 +22,7 @@ palpate_test_packages=(
 palpate_package_packages=(binutils patchelf python3)
 palpate_fuzz_packages=(clang-14 libclang-rt-14-dev)
 palpate_bench_packages=(libfcl-dev libbullet-dev)
+palpate_stress_packages=(libfcl-dev)
 
 missing_packages() {
   local package
