@@ -1,5 +1,5 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, the run.sh of benchmarks, fuzzers and stress, and samples/run.sh source
-# this file.
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh, tests/stress/run.sh and
+# samples/run.sh source this file.
 
 palpate_build_packages=(
   g++ cmake ninja-build
