@@ -139,7 +139,8 @@ Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTrian
   return all;
 }
 
-// Three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
+// Edges that are nearly parallel may hold a cell of a plateau, and cross anywhere as they turn. For others
+// three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
 // cross beyond an end of an edge; along it, they are farther apart than the cutoff.
 Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j,
                                           bool near) const {
@@ -148,7 +149,7 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   const DVec3 u = a.shape.along(i) / length_a, v = b.shape.along(j) / length_b;
   const LinePair lines(start_a, u, start_b, v);
   const double sine = std::sqrt(lines.normal_squared);
-  if (!(sine > 1e-6)) return {};
+  if (!(sine > 4 * limits_.parallel_tolerance)) return {};
   const DVec3 normal = lines.normal / sine;
   const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
   // While the certificate holds, the sine stays above half of what it is.
@@ -158,9 +159,7 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   const double height = std::abs(glm::dot(start_b - start_a, normal));
   const double slack = std::max(past_end * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
-  // As they become parallel, the lines cross anywhere.
-  const Certificate across =
-      sine < 4 * limits_.parallel_tolerance ? Certificate{} : across_normal(slack, arm, sine);
+  const Certificate across = across_normal(slack, arm, sine);
   if (rate_.lifetime(across) >= kLongLived) return across;
   return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine, near), rate_);
 }
