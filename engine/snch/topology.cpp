@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 
+#include "engine/base/memory_reserve.h"
 #include "engine/snch/tree.h"
 
 namespace palpate {
@@ -23,8 +24,15 @@ struct BuildNode {
   std::uint32_t triangle;
 };
 
+// Embree catches what its callbacks throw, and ends the build.
+void* node_memory(RTCThreadLocalAllocator allocator) {
+  void* const memory = rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode));
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
 void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
-  return new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode{};
+  return new (node_memory(allocator)) BuildNode{};
 }
 
 void set_children(void* node, void** children, unsigned, void*) {
@@ -36,8 +44,7 @@ void ignore_bounds(void*, const RTCBounds**, unsigned, void*) {}
 
 void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t,
                   void*) {
-  void* memory = rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode));
-  return new (memory) BuildNode{{nullptr, nullptr}, primitives[0].primID};
+  return new (node_memory(allocator)) BuildNode{{nullptr, nullptr}, primitives[0].primID};
 }
 
 std::vector<RTCBuildPrimitive> primitives_of(const Mesh& mesh) {
@@ -51,13 +58,23 @@ std::vector<RTCBuildPrimitive> primitives_of(const Mesh& mesh) {
   return primitives;
 }
 
+RTCDevice new_device() {
+  const RTCDevice made = rtcNewDevice(nullptr);
+  if (!made) throw std::bad_alloc();
+  return made;
+}
+
 // One device for the process: it owns the builder's worker threads.
 RTCDevice device() {
-  static const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> instance(rtcNewDevice(nullptr),
+  static const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> instance(new_device(),
                                                                                   &rtcReleaseDevice);
-  if (!instance) throw std::bad_alloc();
   return instance.get();
 }
+
+// Embree 3.13 binds a thread to the memory of a build before it notes that it did: where the note finds no
+// memory the thread stays bound to what is then released, and the next build destroys it. The notes are
+// small.
+constexpr std::size_t kReserve = 1u << 16;
 
 void append_depth_first(const BuildNode* root, std::vector<TopologyNode>& nodes) {
   struct Visit {
@@ -88,6 +105,7 @@ void append_depth_first(const BuildNode* root, std::vector<TopologyNode>& nodes)
 std::vector<TopologyNode> build_topology(const Mesh& mesh) {
   std::vector<RTCBuildPrimitive> primitives = primitives_of(mesh);
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device()), &rtcReleaseBVH);
+  if (!bvh) throw std::bad_alloc();
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.byteSize = sizeof(arguments);
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
@@ -104,8 +122,9 @@ std::vector<TopologyNode> build_topology(const Mesh& mesh) {
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = ignore_bounds;
   arguments.createLeaf = create_leaf;
+  const MemoryReserve reserve(kReserve, MemoryReserve::For::kAllThreads);
   const auto* root = static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
-  if (!root) throw std::bad_alloc();
+  if (!root || reserve.is_touched()) throw std::bad_alloc();
 
   std::vector<TopologyNode> nodes;
   nodes.reserve(2 * primitives.size());
