@@ -13,8 +13,13 @@ namespace {
 // the lower feature at its end, whose own polar cone decides, with a tolerance that covers this.
 constexpr double kEnd = 1e-12;
 
-// Edges that differ less than this (radians) are parallel: their minima are those of their ends.
-constexpr double kParallel = 1e-9;
+// Edges that differ less than this (radians) have a common normal that is rounding for the most part: the
+// direction is that between their closest points.
+constexpr double kNearlyParallel = 1e-9;
+
+// Edges that differ less than this are parallel: their minima are those of their ends, at any distance that
+// is no touch.
+constexpr double kParallel = 2e-15;
 
 // Rounding of a point's coordinates, as a part of the distance that counts as touching.
 constexpr double kRoundingOfTouch = 0.2;
@@ -45,23 +50,24 @@ FeaturePairTest::FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& 
       cells_(a_, b_, limits, found),
       found_(found) {}
 
-void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b) {
-  test_corners_and_face(b_, b, a_, a);
-  test_corners_and_face(a_, a, b_, b);
-  test_edges(a, b);
-  test_corners_and_edges(b_, b, a_, a);
-  test_corners_and_edges(a_, a, b_, b);
-  test_corners(a, b);
-  cells_(a, b);
+void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
+  test_corners_and_face(b_, b, a_, a, among);
+  test_corners_and_face(a_, a, b_, b, among);
+  test_edges(a, b, among);
+  test_corners_and_edges(b_, b, a_, a, among);
+  test_corners_and_edges(a_, a, b_, b, among);
+  test_corners(a, b, among);
+  cells_(a, b, among);
 }
 
 void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                                            const MeshSide& face_side, const TestedTriangle& face) {
-  if (!corners.corners) return;
+                                            const MeshSide& face_side, const TestedTriangle& face,
+                                            FeaturePairSet among) {
+  if (!corners.corners || !among.has_any(FeaturePairSet::corner_and_face(corner_side.is_b, 0), 3)) return;
   const Triangle& triangle = face.shape;
   const DVec3 face_normal = face_side.normal(face);
   for (int k = 0; k < 3; ++k) {
-    if (!corners.has_corner(k)) continue;
+    if (!corners.has_corner(k) || !among.has(FeaturePairSet::corner_and_face(corner_side.is_b, k))) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], face_normal);
     const double distance = std::abs(height);
@@ -81,11 +87,11 @@ void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const T
   }
 }
 
-void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b) {
+void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_side(j)) continue;
+      if (!b.has_side(j) || !among.has(FeaturePairSet::edges(i, j))) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
       const LinePair lines(start_a, u, start_b, v);
@@ -93,6 +99,10 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
       const double end = std::min(std::min(lines.s, 1 - lines.s) * glm::length(u),
                                   std::min(lines.t, 1 - lines.t) * glm::length(v));
       if (!(end > kEnd * (glm::length(u) + glm::length(v)) + limits_.touch)) continue;
+      if (!lines.inclined(u, v, kNearlyParallel)) {
+        test_nearly_parallel_edges(a, i, b, j, lines.s, end);
+        continue;
+      }
       const DVec3 unit = lines.normal / std::sqrt(lines.normal_squared);
       const double height = glm::dot(start_b - start_a, unit);
       const double distance = std::abs(height);
@@ -103,15 +113,31 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
   }
 }
 
+// The closer the edges, the more a slight crossing matters: their ends lean by the angle times their length
+// over the distance. Where along the edge they cross is known less well than the point that is closest to it.
+void FeaturePairTest::test_nearly_parallel_edges(const TestedTriangle& a, int i, const TestedTriangle& b,
+                                                 int j, double place_a, double end) {
+  const DVec3 v = b.shape.along(j);
+  const DVec3 on_a = a.shape.start(i) + place_a * a.shape.along(i);
+  const DVec3 on_b = b.shape.start(j) + v * (glm::dot(on_a - b.shape.start(j), v) / glm::dot(v, v));
+  const DVec3 between = on_b - on_a;
+  const double distance = glm::length(between);
+  if (distance > limits_.cutoff || distance <= limits_.touch) return;
+  admit({a_, b_, a_.edge(a, i), b_.edge(b, j), on_a, on_b, between / distance, distance, end,
+         limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance, true});
+}
+
 void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                                             const MeshSide& edge_side, const TestedTriangle& edges) {
-  if (!corners.corners) return;
+                                             const MeshSide& edge_side, const TestedTriangle& edges,
+                                             FeaturePairSet among) {
+  if (!corners.corners || !among.has_any(FeaturePairSet::corner_and_edge(corner_side.is_b, 0, 0), 9)) return;
   for (int j = 0; j < 3; ++j) {
     if (!edges.has_side(j)) continue;
     const DVec3 along = edges.shape.along(j);
     const double length = glm::length(along);
     for (int k = 0; k < 3; ++k) {
-      if (!corners.has_corner(k)) continue;
+      if (!corners.has_corner(k) || !among.has(FeaturePairSet::corner_and_edge(corner_side.is_b, k, j)))
+        continue;
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
@@ -127,11 +153,11 @@ void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const 
   }
 }
 
-void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b) {
+void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_corner(j)) continue;
+      if (!b.has_corner(j) || !among.has(FeaturePairSet::corners(i, j))) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;
