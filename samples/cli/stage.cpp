@@ -38,14 +38,16 @@ Stage::Stage(const RunArguments& arguments, const plp_scene_options& options, co
              const Motion& motion)
     : arguments_(arguments), motion_(motion) {
   check(plp_scene_create(&options, scene_.receive()));
-  body_ = add(models.body, PLP_BODY_STATIC, motion.body());
-  tool_ = add(models.tool, PLP_BODY_TOOL, motion.tool());
+  for (std::size_t i = 0; i < motion.bodies().size(); ++i) {
+    bodies_.push_back(add(models[i], motion.bodies()[i]));
+    if (motion.bodies()[i].kind == PLP_BODY_TOOL) tool_ = bodies_.back();
+  }
 }
 
 void Stage::move(std::size_t pose) {
   if (!motion_.recorded()) return check(plp_scene_set_pose(scene_.get(), tool_, &motion_.poses()[pose].pose));
   follow_settings(motion_.tick(pose));
-  motion_.place(pose, scene_.get(), body_, tool_);
+  motion_.place(pose, scene_.get(), bodies_);
 }
 
 // What was not asked for otherwise changes as it did when the trace was recorded.
@@ -110,11 +112,11 @@ plp_contacts Stage::contacts() const {
   return contacts;
 }
 
-plp_body Stage::add(const OwnedModel& model, plp_body_kind kind, const plp_trace_body& recorded) {
+plp_body Stage::add(plp_model model, const plp_trace_body& recorded) {
   plp_body_options options;
   plp_body_options_init(&options, sizeof options);
-  options.kind = kind;
-  options.model = model.get();
+  options.kind = static_cast<plp_body_kind>(recorded.kind);
+  options.model = model;
   options.stiffness = recorded.stiffness;
   options.damping = recorded.damping;
   options.friction = recorded.friction;

@@ -25,12 +25,6 @@ def examples(readme, language):
     return found
 
 
-def run(command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    assert done.returncode == 0, f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}"
-    return done.stdout
-
-
 def expect_output(printed, said):
     assert printed == said, f"README.md says:\n{said}\nbut the example prints:\n{printed}"
 

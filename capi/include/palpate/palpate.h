@@ -673,7 +673,8 @@ typedef struct plp_gltf_scene_options {
   uint32_t flags;                 /**< 0; others are refused */
   const plp_model_options* model; /**< how meshes become models, and which of the file's scenes; null for the
                                      defaults. Its max_triangles counts a shared mesh for every node. */
-  const char* tool; /**< UTF-8: name of the node that is the tool, with all that is below it; null: no tool */
+  const char* tool; /**< UTF-8: name of the node that is the tool, with all that is below it; or, such as
+                       "/nodes/5", its index in the file, if no node is called so; null: no tool */
   plp_pose pose;    /**< of the file's scene in this scene's space */
   double cutoff;    /**< the scene's from now on, units of its space, positive; 0: as it is */
 } plp_gltf_scene_options;
@@ -1191,7 +1192,8 @@ typedef struct plp_trace_body {
   uint32_t struct_size;      /**< set by plp_trace_body_init() */
   int32_t kind;              /**< plp_body_kind */
   plp_body body;             /**< as the scene called it */
-  const char* model_name;    /**< the name of its file; valid until the trace is released */
+  const char* model_name;    /**< the name of its file, followed by such as "#/nodes/5" if it is the node 5 of
+                                plp_scene_load_gltf; valid until the trace is released */
   uint64_t model_triangles;  /**< of its model, as it is searched */
   uint64_t model_hash;       /**< plp_model_get_hash */
   double stiffness;          /**< as in plp_body_options, as the rest */
