@@ -1,5 +1,5 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source
-# this file.
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh, tests/stress/run.sh and
+# samples/run.sh source this file.
 
 palpate_build_packages=(
   g++ cmake ninja-build
@@ -23,6 +23,7 @@ palpate_package_packages=(binutils patchelf python3)
 palpate_fuzz_packages=(clang-14 libclang-rt-14-dev)
 palpate_analysis_packages=(clang-tidy-14 cppcheck valgrind)
 palpate_bench_packages=(libfcl-dev libbullet-dev)
+palpate_stress_packages=(libfcl-dev)
 
 missing_packages() {
   local package
