@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Linq;
 
 namespace Palpate.Tests
 {
@@ -47,8 +46,12 @@ namespace Palpate.Tests
                     spaces.Add(new SpaceVectors { Name = line.Substring(words[0].Length + 1) });
                     continue;
                 }
-                spaces[spaces.Count - 1].numbers.Add(
-                    words[0], words.Skip(1).Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray());
+                var values = new double[words.Length - 1];
+                for (int i = 0; i < values.Length; ++i)
+                {
+                    values[i] = double.Parse(words[i + 1], CultureInfo.InvariantCulture);
+                }
+                spaces[spaces.Count - 1].numbers.Add(words[0], values);
             }
             return spaces;
         }
