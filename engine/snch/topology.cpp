@@ -9,6 +9,7 @@
 #include <new>
 #include <vector>
 
+#include "engine/base/memory_reserve.h"
 #include "engine/base/parallel.h"
 
 namespace palpate {
@@ -20,9 +21,12 @@ using Branch = Topology::Branch;
 // exponents.
 constexpr unsigned kMaxDepth = 1000;
 
+// Embree catches what its callbacks throw, and ends the build.
 void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
   using Node = Topology::InnerNode;
-  return new (rtcThreadLocalAlloc(allocator, sizeof(Node), alignof(Node))) Node{};
+  void* const memory = rtcThreadLocalAlloc(allocator, sizeof(Node), alignof(Node));
+  if (!memory) throw std::bad_alloc();
+  return new (memory) Node{};
 }
 
 // Comes once both children are complete.
@@ -48,13 +52,23 @@ std::vector<RTCBuildPrimitive> primitives_of(const Mesh& mesh) {
   return primitives;
 }
 
+RTCDevice new_device() {
+  const RTCDevice made = rtcNewDevice(nullptr);
+  if (!made) throw std::bad_alloc();
+  return made;
+}
+
 // One device for the process: it owns the builder's worker threads.
 RTCDevice device() {
-  static const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> instance(rtcNewDevice(nullptr),
+  static const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> instance(new_device(),
                                                                                   &rtcReleaseDevice);
-  if (!instance) throw std::bad_alloc();
   return instance.get();
 }
+
+// Embree 3.13 binds a thread to the memory of a build before it notes that it did: where the note finds no
+// memory the thread stays bound to what is then released, and the next build destroys it. The notes are
+// small.
+constexpr std::size_t kReserve = 1u << 16;
 
 }  // namespace
 
@@ -64,6 +78,7 @@ void Topology::Release::operator()(RTCBVHTy* bvh) const {
 
 Topology::Topology(const Mesh& mesh) : bvh_(rtcNewBVH(device())), root_(nullptr) {
   std::vector<RTCBuildPrimitive> primitives = primitives_of(mesh);
+  if (!bvh_) throw std::bad_alloc();
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.byteSize = sizeof(arguments);
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
@@ -80,8 +95,9 @@ Topology::Topology(const Mesh& mesh) : bvh_(rtcNewBVH(device())), root_(nullptr)
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = ignore_bounds;
   arguments.createLeaf = create_leaf;
+  const MemoryReserve reserve(kReserve, MemoryReserve::For::kAllThreads);
   root_ = Branch(rtcBuildBVH(&arguments));
-  if (!root_.code() || root_.leaves() != primitives.size()) throw std::bad_alloc();
+  if (!root_.code() || root_.leaves() != primitives.size() || reserve.is_touched()) throw std::bad_alloc();
 }
 
 }  // namespace palpate
