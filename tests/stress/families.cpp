@@ -195,11 +195,14 @@ Case valence(Random& random) {
                    power(random, -2, 0), random);
 }
 
+// Over the tip, or into the dent, points a corner.
 Case valence_of_thousand(Random& random) {
   const double height = random.below(2) ? power(random, -6, 0) : -power(random, -6, -0.4);
-  const auto a = spike(1000, height), b = shapes::tetrahedron(power(random, -2, 0));
-  const DMat3 rotation = random.rotation();
-  return {a, b, {rotation, DVec3(0, 0, height + power(random, -9, -2)) - rotation * b.positions[0]}, 0.05};
+  const auto a = spike(1000, height), b = needle(1.0, power(random, -3, -1));
+  const DMat3 upright = turn({0, 1, 0}, std::numbers::pi / 2).rotation;  // its tip, at x = 1, points down
+  const DMat3 rotation = turn(random.direction(), random.uniform(0.0, 0.3)).rotation * upright;
+  const DVec3 tip(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3), height + power(random, -4, -2));
+  return {a, b, {rotation, tip - rotation * b.positions[3]}, 0.02};
 }
 
 Case plain(Random& random) {

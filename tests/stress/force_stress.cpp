@@ -87,7 +87,9 @@ class Probe {
   Wrench at(const Pose& pose) {
     query_.run(a_, b_, pose, options_);
     // Nearer than that the force may turn around within the gap: not by a jump, but as good as.
-    touched_ |= query_.contacts().overlap || query_.contacts().min_distance < 0.01 * options_.law.cutoff;
+    const double near = 0.01 * options_.law.cutoff;
+    touched_ |= query_.contacts().overlap || query_.contacts().min_distance < near;
+    for (const Contact& spring : query_.contacts().springs) touched_ |= spring.distance < near;
     const Wrench& wrench = query_.contacts().wrench;
     return {wrench.force / options_.law.cutoff, wrench.torque / (options_.law.cutoff * b_.radius())};
   }
