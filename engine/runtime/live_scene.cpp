@@ -318,14 +318,14 @@ Status LiveScene::stop_recording(Recording& outcome) {
     ended = std::move(recording_);
   }
   done->wait(kLongestWait);
-  const Status status = ended->finish();
+  Status status = ended->finish();
   outcome = ended->state();
   return status;
 }
 
 // The servo takes it up, or lets it go, between two ticks, and then rings.
 std::shared_ptr<Bell> LiveScene::attach(std::shared_ptr<SceneRecorder> recorder) {
-  const auto done = std::make_shared<Bell>();
+  auto done = std::make_shared<Bell>();
   change([this, recorder, done](Scene& scene) mutable {
     if (recorder_) recorder_->leave(scene);
     if (recorder) recorder->meet(scene);
