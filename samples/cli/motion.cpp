@@ -1,5 +1,6 @@
 #include "samples/cli/motion.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace palpate::cli {
@@ -52,6 +53,19 @@ plp_scene_options Motion::options() const {
   plp_scene_options options;
   plp_scene_options_init(&options, sizeof options);
   check(plp_trace_get_options(trace_.get(), &options));
+  return options;
+}
+
+plp_body_options Motion::body_options(plp_body_kind kind) const {
+  const plp_trace_body& recorded = kind == PLP_BODY_TOOL ? tool_ : body_;
+  plp_body_options options;
+  plp_body_options_init(&options, sizeof options);
+  options.kind = kind;
+  options.stiffness = recorded.stiffness;
+  options.damping = recorded.damping;
+  options.friction = recorded.friction;
+  options.intangible = recorded.intangible;
+  std::copy_n(recorded.reference_point, 3, options.reference_point);
   return options;
 }
 

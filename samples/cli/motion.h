@@ -12,6 +12,7 @@ namespace palpate::cli {
 // How a model moves past another: rows of a CSV file, or the steps of a trace with a tool and one other body.
 class Motion {
  public:
+  Motion() = default;  // none: no poses, and bodies as any
   // Tells by its beginning what the file is. Throws Failure.
   explicit Motion(const std::string& path);
 
@@ -20,8 +21,8 @@ class Motion {
 
   // Of a trace: how its scene was made and what its bodies were.
   plp_scene_options options() const;
-  const plp_trace_body& body() const { return body_; }
-  const plp_trace_body& tool() const { return tool_; }
+  // Whatever it is: a tool, or the other body, without model and pose.
+  plp_body_options body_options(plp_body_kind kind) const;
 
   // Of a trace: brings a scene's bodies to where they were in that step, bit by bit.
   void place(std::size_t step, plp_scene scene, plp_body body, plp_body tool) const;

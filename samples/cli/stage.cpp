@@ -1,6 +1,5 @@
 #include "samples/cli/stage.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace palpate::cli {
@@ -38,8 +37,8 @@ Stage::Stage(const RunArguments& arguments, const plp_scene_options& options, co
              const Motion& motion)
     : arguments_(arguments), motion_(motion) {
   check(plp_scene_create(&options, scene_.receive()));
-  body_ = add(models.body, PLP_BODY_STATIC, motion.body());
-  tool_ = add(models.tool, PLP_BODY_TOOL, motion.tool());
+  body_ = add(models.body, PLP_BODY_STATIC);
+  tool_ = add(models.tool, PLP_BODY_TOOL);
 }
 
 void Stage::move(std::size_t pose) {
@@ -110,16 +109,9 @@ plp_contacts Stage::contacts() const {
   return contacts;
 }
 
-plp_body Stage::add(const OwnedModel& model, plp_body_kind kind, const plp_trace_body& recorded) {
-  plp_body_options options;
-  plp_body_options_init(&options, sizeof options);
-  options.kind = kind;
+plp_body Stage::add(const OwnedModel& model, plp_body_kind kind) {
+  plp_body_options options = motion_.body_options(kind);
   options.model = model.get();
-  options.stiffness = recorded.stiffness;
-  options.damping = recorded.damping;
-  options.friction = recorded.friction;
-  options.intangible = recorded.intangible;
-  std::copy_n(recorded.reference_point, 3, options.reference_point);
   plp_body body = 0;
   check(plp_scene_add_body(scene_.get(), &options, &body));
   return body;

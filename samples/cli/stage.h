@@ -46,7 +46,7 @@ class Stage {
   plp_contacts contacts() const;  // of the newest step, valid until the next
 
  private:
-  plp_body add(const OwnedModel& model, plp_body_kind kind, const plp_trace_body& recorded);
+  plp_body add(const OwnedModel& model, plp_body_kind kind);
   void follow_settings(const plp_trace_tick& tick);
 
   const RunArguments& arguments_;

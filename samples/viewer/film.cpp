@@ -45,10 +45,13 @@ class Film {
       draw();  // panels have their sizes only now
       write_screenshot(arguments_.screenshot, arguments_.width, arguments_.height);
     }
+    viewer_.end_recording();
     if (!arguments_.log.empty()) viewer_.write_log(arguments_.log);
     if (!arguments_.graphs.empty()) viewer_.write_graphs(arguments_.graphs);
     std::cout << viewer_.summary() << '\n';
+    if (!arguments_.stepped) std::cout << viewer_.frames_summary() << '\n';
     say("screenshot", arguments_.screenshot);
+    say("trace", arguments_.record);
     say("force log", arguments_.log);
     say("graphs", arguments_.graphs);
   }
@@ -56,7 +59,7 @@ class Film {
  private:
   bool goes_on(unsigned frame) const {
     if (arguments_.frames) return frame < *arguments_.frames;
-    const bool ends_by_itself = !arguments_.replay.empty() && arguments_.device.empty();
+    const bool ends_by_itself = arguments_.replay && arguments_.device.empty();
     return ends_by_itself ? !viewer_.finished() : frame < kFrames;
   }
 
