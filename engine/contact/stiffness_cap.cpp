@@ -69,9 +69,20 @@ std::span<const double> StiffnessCap::shares(double most) {
   shares_.assign(springs_.size(), 1.0);
   steps_ = 0;
   if (!(most > 0.0)) return shares_;
-  const DVec4 yielded = yielded_under(most);
-  for (std::size_t i = 0; i < springs_.size(); ++i) shares_[i] = share_of(springs_[i], yielded);
+  const double solved = std::max(most, least_solved());
+  const DVec4 yielded = yielded_under(solved);
+  for (std::size_t i = 0; i < springs_.size(); ++i)
+    shares_[i] = most / solved * share_of(springs_[i], yielded);
   return shares_;
+}
+
+// Of a cap much lower than this the matrices hold nothing but rounding. There the tool yields all the way,
+// and the force is in proportion to the cap.
+double StiffnessCap::least_solved() const {
+  constexpr double kPart = 1e-7;
+  double stiffness = 0.0;
+  for (const Spring& spring : springs_) stiffness += spring.stiffness;
+  return kPart * stiffness;
 }
 
 // Newton's method, which begins where all springs push and lets go of some until the rest are right. Its end

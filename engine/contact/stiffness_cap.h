@@ -48,6 +48,7 @@ class StiffnessCap {
   };
   class Yielding;
 
+  double least_solved() const;
   DVec4 yielded_under(double most);
   static double share_of(const Spring& spring, const DVec4& yielded);
 

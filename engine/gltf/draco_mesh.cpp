@@ -126,6 +126,9 @@ AttributeTable DracoMesh::table(int unique_id, std::uint32_t width, const DracoF
   if (attribute->num_components() != static_cast<int>(width))
     fail(ErrorCode::kBadFormat, "Draco attribute ", unique_id, " has ", int{attribute->num_components()},
          " numbers instead of ", width);
+  // glTF has none, and the library would load any byte as a bool.
+  if (attribute->data_type() == draco::DT_BOOL)
+    fail(ErrorCode::kBadFormat, "Draco attribute ", unique_id, " is of truth values");
   const std::uint32_t points = mesh_->num_points();
   if (!attribute->is_mapping_identity() && attribute->indices_map_size() < points) damaged();
 

@@ -24,21 +24,25 @@ FeatureCertificate::FeatureCertificate(const Mesh& a, const Mesh& b, const Place
                                        double reach)
     : a_{a, placement, false}, b_{b, placement, true}, limits_(limits), rate_(rate), reach_(reach) {}
 
-Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b) const {
-  const double apart = distance_apart(a.shape, b.shape);
-  if (apart > limits_.cutoff) return Certificate::within_distance(apart - limits_.cutoff - limits_.touch);
-  Certificate all = Certificate::within_distance(apart - 2 * limits_.touch);
-  all = both(all, corners_and_face(b_, b, a_, a));
-  all = both(all, corners_and_face(a_, a, b_, b));
-  all = both(all, faces(a, b));
-  all = both(all, edges_and_face(b_, b, a_, a));
-  all = both(all, edges_and_face(a_, a, b_, b));
-  if (!all.holds()) return {};
-  all = both(all, edges(a, b));
-  if (!all.holds()) return {};
-  all = both(all, corners_and_edges(b_, b, a_, a));
-  all = both(all, corners_and_edges(a_, a, b_, b));
-  return both(all, corners(a, b));
+Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b,
+                                           FeaturePairSet among, PairCertificates& certificates) const {
+  certificates.clear();
+  if (among.has(FeaturePairSet::kContact)) {
+    const double apart = distance_apart(a.shape, b.shape);
+    const Certificate far = Certificate::within_distance(apart - limits_.cutoff - limits_.touch);
+    if (far.holds()) return far;
+    certificates.set(FeaturePairSet::kContact, Certificate::within_distance(apart - 2 * limits_.touch));
+  }
+  if (among.has(FeaturePairSet::kFaces)) certificates.set(FeaturePairSet::kFaces, faces(a, b));
+  corners_and_face(b_, b, a_, a, among, certificates);
+  corners_and_face(a_, a, b_, b, among, certificates);
+  edges_and_face(b_, b, a_, a, among, certificates);
+  edges_and_face(a_, a, b_, b, among, certificates);
+  edges(a, b, among, certificates);
+  corners_and_edges(b_, b, a_, a, among, certificates);
+  corners_and_edges(a_, a, b_, b, among, certificates);
+  corners(a, b, among, certificates);
+  return {};
 }
 
 // A lower bound of the distance, at its best if it is likely to be used up soon; 0 if the triangles touch.
@@ -49,17 +53,19 @@ double FeatureCertificate::distance_apart(const Triangle& a, const Triangle& b) 
   return triangles_touch(a, b, closest, limits_.touch) ? 0.0 : std::sqrt(closest.squared_distance);
 }
 
-Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                                                 const MeshSide& face_side,
-                                                 const TestedTriangle& face) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
-  if (!(corners.corners | corners.near_corners)) return all;
+void FeatureCertificate::corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
+                                          const MeshSide& face_side, const TestedTriangle& face,
+                                          FeaturePairSet among, PairCertificates& to) const {
+  if (!(corners.corners | corners.near_corners) ||
+      !among.has_any(FeaturePairSet::corner_and_face(corner_side.is_b, 0), 3))
+    return;
   const Triangle& triangle = face.shape;
   const DVec3 normal = face_side.normal(face);
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int k = 0; k < 3; ++k) {
+    const int pair = FeaturePairSet::corner_and_face(corner_side.is_b, k);
     const bool near = corners.has_near_corner(k);
-    if (!near && !corners.has_corner(k)) continue;
+    if ((!near && !corners.has_corner(k)) || !among.has(pair)) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], normal);
     double outside = std::max(std::abs(height) - limits_.cutoff, two_sided ? 0.0 : -height);
@@ -76,9 +82,8 @@ Certificate FeatureCertificate::corners_and_face(const MeshSide& corner_side, co
       if (two_sided) outside_cone = std::min(outside_cone, beyond(corner_side, vertex, normal, near));
       one = longer(one, Certificate::within_angle(outside_cone), rate_);
     }
-    all = both(all, one);
+    to.set(pair, one);
   }
-  return all;
 }
 
 // Until they are parallel.
@@ -91,13 +96,15 @@ Certificate FeatureCertificate::faces(const TestedTriangle& a, const TestedTrian
 }
 
 // Until an edge is parallel to the face and holds its normal, or comes over it.
-Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
-                                               const MeshSide& face_side, const TestedTriangle& face) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
+void FeatureCertificate::edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
+                                        const MeshSide& face_side, const TestedTriangle& face,
+                                        FeaturePairSet among, PairCertificates& to) const {
+  if (!among.has_any(FeaturePairSet::edge_and_face(edge_side.is_b, 0), 3)) return;
   const DVec3 normal = face_side.normal(face);
   const bool two_sided = face_side.mesh.double_sided[face.index];
   for (int j = 0; j < 3; ++j) {
-    if (!edges.has_side(j)) continue;
+    const int pair = FeaturePairSet::edge_and_face(edge_side.is_b, j);
+    if (!edges.has_side(j) || !among.has(pair)) continue;
     const DVec3 &start = edges.shape.start(j), &end = edges.shape.end(j);
     const auto height = [&](const DVec3& point) { return glm::dot(normal, point - face.shape.corner[0]); };
     double outside = two_sided ? 0.0 : -std::max(height(start), height(end));
@@ -116,30 +123,30 @@ Certificate FeatureCertificate::edges_and_face(const MeshSide& edge_side, const 
       if (two_sided) lean = std::min(lean, edge_side.violation(edge, normal));
       one = longer(one, Certificate::within_angle(lean - 2 * limits_.parallel_tolerance), rate_);
     }
-    all = both(all, one);
+    to.set(pair, one);
   }
-  return all;
 }
 
-Certificate FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
+void FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+                               PairCertificates& to) const {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_side(i) && !a.has_near_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
       const bool near = a.has_near_side(i) && b.has_near_side(j);
-      if (!near && !(a.has_side(i) && b.has_side(j))) continue;
+      const int pair = FeaturePairSet::edges(i, j);
+      if ((!near && !(a.has_side(i) && b.has_side(j))) || !among.has(pair)) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const double lengths = glm::length(u) + glm::length(v);
       const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
       if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j, near), rate_);
-      all = both(all, one);
+      to.set(pair, one);
     }
   }
-  return all;
 }
 
-// Three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
+// Edges that are nearly parallel may hold a cell of a plateau, and cross anywhere as they turn. For others
+// three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
 // cross beyond an end of an edge; along it, they are farther apart than the cutoff.
 Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j,
                                           bool near) const {
@@ -148,7 +155,7 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   const DVec3 u = a.shape.along(i) / length_a, v = b.shape.along(j) / length_b;
   const LinePair lines(start_a, u, start_b, v);
   const double sine = std::sqrt(lines.normal_squared);
-  if (!(sine > 1e-6)) return {};
+  if (!(sine > 4 * limits_.parallel_tolerance)) return {};
   const DVec3 normal = lines.normal / sine;
   const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
   // While the certificate holds, the sine stays above half of what it is.
@@ -158,9 +165,7 @@ Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const 
   const double height = std::abs(glm::dot(start_b - start_a, normal));
   const double slack = std::max(past_end * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
-  // As they become parallel, the lines cross anywhere.
-  const Certificate across =
-      sine < 4 * limits_.parallel_tolerance ? Certificate{} : across_normal(slack, arm, sine);
+  const Certificate across = across_normal(slack, arm, sine);
   if (rate_.lifetime(across) >= kLongLived) return across;
   return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine, near), rate_);
 }
@@ -183,20 +188,20 @@ Certificate FeatureCertificate::across_normal(double slack, double arm, double s
   return {share * slack, std::min((1.0 - share) * slack / by_turn, 0.5 * sine)};
 }
 
-Certificate FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                                                  const MeshSide& edge_side,
-                                                  const TestedTriangle& edges) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
+void FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
+                                           const MeshSide& edge_side, const TestedTriangle& edges,
+                                           FeaturePairSet among, PairCertificates& to) const {
+  if (!among.has_any(FeaturePairSet::corner_and_edge(corner_side.is_b, 0, 0), 9)) return;
   for (int j = 0; j < 3; ++j) {
     if (!edges.has_side(j) && !edges.has_near_side(j)) continue;
     for (int k = 0; k < 3; ++k) {
       const bool near = edges.has_near_side(j) && corners.has_near_corner(k);
-      if (!near && !(edges.has_side(j) && corners.has_corner(k))) continue;
-      all = both(all, corner_and_edge(corner_side, corner_side.vertex(corners, k), corners.shape.corner[k],
-                                      edge_side, edges, j, near));
+      const int pair = FeaturePairSet::corner_and_edge(corner_side.is_b, k, j);
+      if ((!near && !(edges.has_side(j) && corners.has_corner(k))) || !among.has(pair)) continue;
+      to.set(pair, corner_and_edge(corner_side, corner_side.vertex(corners, k), corners.shape.corner[k],
+                                   edge_side, edges, j, near));
     }
   }
-  return all;
 }
 
 Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, const Feature& vertex,
@@ -218,13 +223,14 @@ Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, con
   return longer(by_place, longer(beside, below, rate_), rate_);
 }
 
-Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b) const {
-  Certificate all{Certificate::kForever, Certificate::kForever};
+void FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+                                 PairCertificates& to) const {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_corner(i) && !a.has_near_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
       const bool near = a.has_near_corner(i) && b.has_near_corner(j);
-      if (!near && !(a.has_corner(i) && b.has_corner(j))) continue;
+      const int pair = FeaturePairSet::corners(i, j);
+      if ((!near && !(a.has_corner(i) && b.has_corner(j))) || !among.has(pair)) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       Certificate one = Certificate::within_distance(distance - limits_.cutoff);
@@ -233,10 +239,9 @@ Certificate FeatureCertificate::corners(const TestedTriangle& a, const TestedTri
         one = longer(one, seen_from(a_, lateral(beyond(a_, a_.vertex(a, i), u, near), distance)), rate_);
         one = longer(one, seen_from(b_, lateral(beyond(b_, b_.vertex(b, j), -u, near), distance)), rate_);
       }
-      all = both(all, one);
+      to.set(pair, one);
     }
   }
-  return all;
 }
 
 double FeatureCertificate::beyond(const MeshSide& side, const Feature& feature, const DVec3& u,

@@ -3,11 +3,12 @@
 #include "engine/mesh/creases.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/odometer.h"
+#include "engine/snch/pair_certificates.h"
 
 namespace palpate {
 
-// Certifies for how long two triangles will neither touch nor hold a local minimum distance on any pair of
-// the features that take part. Each pair of features that holds none has a reason: its points lie outside
+// Certifies for how long two triangles will neither touch nor hold a local minimum distance on the pairs of
+// the features that take part, each pair by itself. One that holds none has a reason: its points lie outside
 // their features or beyond the cutoff, which ends with distance, or the direction between them leans outside
 // a polar cone. For a corner over a face that direction is the face's normal and for two edges their common
 // normal (pairs of features that are faces of the convolution of A and −B), so that the lean ends with
@@ -21,26 +22,10 @@ class FeatureCertificate {
 
   void include_near_minima(const Creases& a, const Creases& b) { creases_a_ = &a, creases_b_ = &b; }
 
-  // No certificate where one might end with the next motion.
-  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b) const;
-
- private:
-  double distance_apart(const Triangle& a, const Triangle& b) const;
-  Certificate corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                               const MeshSide& face_side, const TestedTriangle& face) const;
-  Certificate edges(const TestedTriangle& a, const TestedTriangle& b) const;
-  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
-  Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
-                                    double sine, bool near) const;
-  Certificate across_normal(double slack, double arm, double sine) const;
-  Certificate corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                                const MeshSide& edge_side, const TestedTriangle& edges) const;
-  Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
-                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near) const;
-  Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
-  Certificate edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
-                             const MeshSide& face_side, const TestedTriangle& face) const;
-  Certificate corners(const TestedTriangle& a, const TestedTriangle& b) const;
+  // How long the triangles are farther apart than the cutoff, so that no pair of features holds anything.
+  // Else fills `certificates` with those of the pairs of features `among` all.
+  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+                         PairCertificates& certificates) const;
 
   // What `u` must turn to hold a minimum at an edge or vertex, or a near one. The end of `u` must also move
   // by this part of its distance.
@@ -50,7 +35,36 @@ class FeatureCertificate {
   double seam_at_side(const MeshSide& side, const TestedTriangle& t, int k, bool near) const;
   double seam_at_ends(const MeshSide& side, const TestedTriangle& t, int k, double distance, bool near) const;
 
+  // A slack that is measured in the frame of a side.
   Certificate seen_from(const MeshSide& side, double slack) const;
+
+  // Of two certificates the one that is likely to hold longer.
+  Certificate better(const Certificate& one, const Certificate& other) const {
+    return longer(one, other, rate_);
+  }
+  bool includes_near_minima() const { return creases_a_ != nullptr; }
+
+ private:
+  double distance_apart(const Triangle& a, const Triangle& b) const;
+  void corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners, const MeshSide& face_side,
+                        const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
+  void edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+             PairCertificates& to) const;
+  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
+  Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
+                                    double sine, bool near) const;
+  Certificate across_normal(double slack, double arm, double sine) const;
+  void corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
+                         const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among,
+                         PairCertificates& to) const;
+  Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
+                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near) const;
+  Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
+  void edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges, const MeshSide& face_side,
+                      const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
+  void corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+               PairCertificates& to) const;
+
   double lateral(double beyond, double distance) const;
   Certificate leaning_from_corner(const MeshSide& corner_side, double beyond, double distance) const;
   const Creases& creases(const MeshSide& side) const { return side.is_b ? *creases_b_ : *creases_a_; }

@@ -45,23 +45,24 @@ FeaturePairTest::FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& 
       cells_(a_, b_, limits, found),
       found_(found) {}
 
-void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b) {
-  test_corners_and_face(b_, b, a_, a);
-  test_corners_and_face(a_, a, b_, b);
-  test_edges(a, b);
-  test_corners_and_edges(b_, b, a_, a);
-  test_corners_and_edges(a_, a, b_, b);
-  test_corners(a, b);
-  cells_(a, b);
+void FeaturePairTest::operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
+  test_corners_and_face(b_, b, a_, a, among);
+  test_corners_and_face(a_, a, b_, b, among);
+  test_edges(a, b, among);
+  test_corners_and_edges(b_, b, a_, a, among);
+  test_corners_and_edges(a_, a, b_, b, among);
+  test_corners(a, b, among);
+  cells_(a, b, among);
 }
 
 void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                                            const MeshSide& face_side, const TestedTriangle& face) {
-  if (!corners.corners) return;
+                                            const MeshSide& face_side, const TestedTriangle& face,
+                                            FeaturePairSet among) {
+  if (!corners.corners || !among.has_any(FeaturePairSet::corner_and_face(corner_side.is_b, 0), 3)) return;
   const Triangle& triangle = face.shape;
   const DVec3 face_normal = face_side.normal(face);
   for (int k = 0; k < 3; ++k) {
-    if (!corners.has_corner(k)) continue;
+    if (!corners.has_corner(k) || !among.has(FeaturePairSet::corner_and_face(corner_side.is_b, k))) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], face_normal);
     const double distance = std::abs(height);
@@ -81,11 +82,11 @@ void FeaturePairTest::test_corners_and_face(const MeshSide& corner_side, const T
   }
 }
 
-void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b) {
+void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_side(j)) continue;
+      if (!b.has_side(j) || !among.has(FeaturePairSet::edges(i, j))) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
       const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
       const LinePair lines(start_a, u, start_b, v);
@@ -104,14 +105,16 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
 }
 
 void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                                             const MeshSide& edge_side, const TestedTriangle& edges) {
-  if (!corners.corners) return;
+                                             const MeshSide& edge_side, const TestedTriangle& edges,
+                                             FeaturePairSet among) {
+  if (!corners.corners || !among.has_any(FeaturePairSet::corner_and_edge(corner_side.is_b, 0, 0), 9)) return;
   for (int j = 0; j < 3; ++j) {
     if (!edges.has_side(j)) continue;
     const DVec3 along = edges.shape.along(j);
     const double length = glm::length(along);
     for (int k = 0; k < 3; ++k) {
-      if (!corners.has_corner(k)) continue;
+      if (!corners.has_corner(k) || !among.has(FeaturePairSet::corner_and_edge(corner_side.is_b, k, j)))
+        continue;
       const DVec3& corner = corners.shape.corner[k];
       const double place = glm::dot(corner - edges.shape.start(j), along) / length;
       const double end = std::min(place, length - place);
@@ -127,11 +130,11 @@ void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const 
   }
 }
 
-void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b) {
+void FeaturePairTest::test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_corner(j)) continue;
+      if (!b.has_corner(j) || !among.has(FeaturePairSet::corners(i, j))) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       if (distance > limits_.cutoff || distance <= limits_.touch) continue;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/snch/feature_pair_set.h"
 #include "engine/snch/minimum.h"
 #include "engine/snch/parallel_cells.h"
 #include "engine/snch/tested_triangle.h"
@@ -21,18 +22,19 @@ class FeaturePairTest {
   FeaturePairTest(const Mesh& a, const Mesh& b, const Placement& placement, const Limits& limits,
                   std::vector<Minimum>& found);
 
-  void operator()(const TestedTriangle& a, const TestedTriangle& b);
+  void operator()(const TestedTriangle& a, const TestedTriangle& b,
+                  FeaturePairSet among = FeaturePairSet::all());
 
  private:
   // A pair of features under test.
   struct Candidate;
 
   void test_corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                             const MeshSide& face_side, const TestedTriangle& face);
-  void test_edges(const TestedTriangle& a, const TestedTriangle& b);
+                             const MeshSide& face_side, const TestedTriangle& face, FeaturePairSet among);
+  void test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   void test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                              const MeshSide& edge_side, const TestedTriangle& edges);
-  void test_corners(const TestedTriangle& a, const TestedTriangle& b);
+                              const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among);
+  void test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
 
   void admit(const Candidate& candidate);
 

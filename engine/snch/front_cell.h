@@ -50,7 +50,8 @@ class CellsAbove {
  public:
   static constexpr std::size_t kMostLevels = 16;
 
-  // At most `levels`. The entry must be on the front that is counted.
+  // At most `levels`. The entry must be on the front that is counted. None is within what a traversal opens
+  // into features: those beneath it may have been pruned above it.
   CellsAbove(const NodeBatch& batch, const Tree& a, const Tree& b, const NodePair& entry,
              std::size_t levels) {
     std::array<FrontCell, kMostLevels> last;  // on the way down, in turn
@@ -59,6 +60,7 @@ class CellsAbove {
       last[depth++ % kMostLevels] = cell;
       if (cell.root.a == entry.a && cell.root.b == entry.b) break;
       const Node &node_a = a.node(cell.root.a), &node_b = b.node(cell.root.b);
+      if (batch.opens_features(node_a, node_b)) break;
       cell = cell.child_towards(entry, node_a, node_b, batch.opens_first(node_a, node_b));
     }
     levels_ = std::min({levels, depth, kMostLevels});
@@ -72,7 +74,8 @@ class CellsAbove {
     ++held_[up];
   }
 
-  // How far above the entry the highest is that holds at most so many; 0: the entry itself.
+  // How far above the entry the highest is that holds at most so many; 0: the lowest, which is the
+  // entry itself where it has no feature.
   std::size_t highest_of(std::size_t most) const {
     std::size_t chosen = 0;
     for (std::size_t up = 0, held = 0; up < levels_ && (held += held_[up]) <= most; ++up) chosen = up;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/kernel/triangle_pair.h"
+#include "engine/snch/coarse_certificate.h"
 #include "engine/snch/feature_certificate.h"
 #include "engine/snch/front_cell.h"
 #include "engine/snch/near_minima.h"
@@ -17,6 +18,9 @@ constexpr std::uint32_t kRenewalTicks = 4;
 constexpr std::size_t kLeastRenewed = 128;
 constexpr std::size_t kRenewedShare = 16;
 constexpr std::size_t kFirstLevels = 4;
+
+// Pairs in the place of one: a face, three sides and three corners.
+constexpr std::size_t kMostOpened = 7;
 
 // Certificates lose this part, which covers the rounding of the odometer and of float32 expiries.
 constexpr double kKept = 0.999;
@@ -48,6 +52,16 @@ float rounded_up(double x) {
 
 }  // namespace
 
+void KineticFront::Front::clear() {
+  pairs.clear();
+  leaves.clear();
+}
+
+void KineticFront::Front::reserve(std::size_t room) {
+  pairs.reserve(room);
+  leaves.reserve(room / 2);
+}
+
 struct KineticFront::Tick {
   const Tree& tree_a;
   const Tree& tree_b;
@@ -57,6 +71,8 @@ struct KineticFront::Tick {
   NodeBatch node_batch;
   FeaturePairTest feature_test;
   FeatureCertificate feature_certificate;
+  CoarseCertificate coarse_a;  // features of A against nodes of B
+  CoarseCertificate coarse_b;
   LmdSet& found;
   std::uint64_t budget;  // of the scan
   std::optional<NearMinimumTest> near_test = std::nullopt;
@@ -77,8 +93,10 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
   going_on ? odometer_->advance(placement) : start(placement);
   const std::uint64_t renewal = ++ticks_ % kRenewalTicks == 0 ? renewal_budget(budget) : 0;
   const double reach = model_b.radius() / a.frame.scale + cutoff;
-  const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance};
+  const FeaturePairTest::Limits limits{cutoff, touch, options.parallel_tolerance},
+      widest{cutoff, touch, SearchOptions::kWidestTolerance};
   const Tree &tree_a = a_->tree(options.near_minima), &tree_b = b_->tree(options.near_minima);
+  const MeshSide side_a{a, placement, false}, side_b{b, placement, true};
   Tick tick{tree_a,
             tree_b,
             placement,
@@ -86,8 +104,9 @@ void KineticFront::update(const Model& model_a, const Model& model_b, const Pose
             touch,
             NodeBatch(tree_a, tree_b, placement, cutoff),
             FeaturePairTest(a, b, placement, limits, minima_),
-            FeatureCertificate(a, b, placement, {cutoff, touch, SearchOptions::kWidestTolerance},
-                               odometer_->rate(), reach),
+            FeatureCertificate(a, b, placement, widest, odometer_->rate(), reach),
+            CoarseCertificate(side_a, side_b, tick.feature_certificate, widest),
+            CoarseCertificate(side_b, side_a, tick.feature_certificate, widest),
             found,
             scan_budget(budget, renewal)};
   if (options.near_minima) include_near_minima(tick, limits);
@@ -107,8 +126,9 @@ void KineticFront::fix(const Room& room) {
   fixed_ = true;
   front_.reserve(room.front);
   minima_.reserve(room.minima);
-  open_.reserve(front_.capacity() + kOpenRoom);  // all may expire at once
+  open_.reserve(front_.pairs.capacity() + kOpenRoom);  // all may expire at once
   postponed_.reserve(open_.capacity());
+  expired_leaves_.reserve(front_.leaves.capacity());
   grouper_.fix(minima_.capacity());
 }
 
@@ -123,7 +143,8 @@ Room KineticFront::used() const {
 
 // For what settling a batch adds.
 bool KineticFront::has_room_for_batch() const {
-  return !fixed_ || (has_room(front_, NodeBatch::kMost) && has_room(open_, NodeBatch::kMost));
+  return !fixed_ || (has_room(front_.pairs, NodeBatch::kMost) && has_room(front_.leaves, NodeBatch::kMost) &&
+                     has_room(open_, kMostOpened * NodeBatch::kMost));
 }
 
 // For what two triangles may hold.
@@ -147,43 +168,83 @@ void KineticFront::start(const Placement& placement) {
   const ModelFrame &to = a_->mesh().frame, &from = b_->mesh().frame;
   odometer_.emplace((b_->centre() - from.origin) / from.scale, (b_->radius() + options_.cutoff) / to.scale);
   odometer_->start(placement);
-  front_.assign(1, {0, 0, -1.0f, -1.0f});
+  front_.clear();
+  front_.pairs.push_back({{0, 0}, {-1.0f, -1.0f}});
   postponed_.clear();
+  first_leaf_ = 0;
   ticks_ = 0;
   renewed_levels_ = kFirstLevels;
 }
 
+// Where the budget does not suffice for all, nodes and triangles share it.
 void KineticFront::scan(Tick& tick) {
-  const float distance = rounded_up(odometer_->distance()), angle = rounded_up(odometer_->angle());
   work_.entries = front_.size();
-  open_.clear();
-  std::size_t kept = 0;
-  for (const Entry& entry : front_) {
-    if (distance < entry.until_distance && angle < entry.until_angle) {
-      front_[kept++] = entry;
-    } else {
-      open_.push_back({entry.a, entry.b});
-    }
-  }
-  front_.resize(kept);
-  work_.expired = open_.size();
-  if (fixed_ && !has_room(open_, postponed_.size())) tick.found.cut = true;
-  if (tick.found.cut) return;
-  open_.insert(open_.end(), postponed_.begin(), postponed_.end());  // the last is tested first
-  while (!open_.empty()) {
-    if (!has_room_for_batch()) tick.found.cut = true;
-    const std::size_t count = affordable(tick);
-    if (tick.found.cut || count == 0) break;
-    settle_last(tick, count, true);
-  }
+  open_expired(tick);
+  list_expired_leaves();
+  work_.expired = open_.size() - postponed_.size() + expired_leaves_.size();
+  settle_leaves(tick, tick.budget / 2);
+  settle_open(tick, tick.budget);
+  settle_leaves(tick, tick.budget);
   postponed_.assign(open_.begin(), open_.end());
-  complete_ = open_.empty();
+  complete_ = open_.empty() && expired_leaves_.empty();
 }
 
-// How many pairs the scan may still test: each may be a test of two nodes and of two triangles.
-std::size_t KineticFront::affordable(const Tick& tick) const {
+void KineticFront::open_expired(Tick& tick) {
+  const Until now = this->now();
+  open_.clear();
+  std::size_t kept = 0;
+  for (const Entry& entry : front_.pairs) {
+    if (entry.until.passed(now)) {
+      open_.push_back(entry.nodes);
+    } else {
+      front_.pairs[kept++] = entry;
+    }
+  }
+  front_.pairs.resize(kept);
+  if (fixed_ && !has_room(open_, postponed_.size())) tick.found.cut = true;
+  if (!tick.found.cut) open_.insert(open_.end(), postponed_.begin(), postponed_.end());  // these are first
+}
+
+// From the first on that the last tick could not afford; the last one listed is tested first.
+void KineticFront::list_expired_leaves() {
+  const Until now = this->now();
+  const std::span<const Leaf> leaves = front_.leaves;
+  expired_leaves_.clear();
+  const auto list = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = end; i-- > begin;)
+      if (leaves[i].until.passed(now)) expired_leaves_.push_back(static_cast<std::uint32_t>(i));
+  };
+  const std::size_t first = std::min(first_leaf_, leaves.size());
+  list(0, first);
+  list(first, leaves.size());
+}
+
+void KineticFront::settle_open(Tick& tick, std::uint64_t budget) {
+  while (!open_.empty() && !tick.found.cut) {
+    if (!has_room_for_batch()) tick.found.cut = true;
+    const std::size_t count = affordable(tick, budget);
+    if (tick.found.cut || count == 0) return;
+    settle_last(tick, count, true);
+  }
+}
+
+void KineticFront::settle_leaves(Tick& tick, std::uint64_t budget) {
+  while (!expired_leaves_.empty() && !tick.found.cut) {
+    const std::size_t count = std::min(affordable(tick, budget), expired_leaves_.size());
+    if (count == 0) break;
+    const std::size_t left = expired_leaves_.size() - count;
+    settle_leaf_batch(tick, std::span(expired_leaves_).subspan(left));
+    expired_leaves_.resize(left);
+  }
+  first_leaf_ = expired_leaves_.empty() ? 0 : expired_leaves_.back();
+}
+
+// How many pairs may still be tested: each may be a test of two nodes and of two triangles.
+std::size_t KineticFront::affordable(const Tick& tick, std::uint64_t budget) {
   const std::uint64_t spent = tick.found.work.node_pairs + tick.found.work.triangle_pairs;
-  return static_cast<std::size_t>(std::min<std::uint64_t>((tick.budget - spent) / 2, NodeBatch::kMost));
+  return spent < budget
+             ? static_cast<std::size_t>(std::min<std::uint64_t>((budget - spent) / 2, NodeBatch::kMost))
+             : 0;
 }
 
 // Tests the last open pairs, at most `most`, together.
@@ -194,53 +255,130 @@ std::size_t KineticFront::settle_last(Tick& tick, std::size_t most, bool collect
   open_.resize(open_.size() - count);
   NodeBatch::Certificates certificates;
   tick.node_batch.certify({pairs.data(), count}, odometer_->rate(), tick.reach, certificates);
-  for (std::size_t i = 0; i < count; ++i) settle(tick, pairs[i], certificates.of(i), collect);
+  for (std::size_t i = 0; i < count; ++i)
+    settle(tick, pairs[i], certificate_of(tick, pairs[i], certificates.of(i)), collect);
   return count;
 }
 
 // Puts a pair on the front if it can be pruned or holds two triangles; otherwise opens its children.
 void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, bool collect) {
   ++tick.found.work.node_pairs;
-  const Node &a = tick.tree_a.node(pair.a), &b = tick.tree_b.node(pair.b);
-  if (!certificate.holds() && !(a.is_leaf() && b.is_leaf())) {
-    if (tick.node_batch.opens_first(a, b)) {
-      open_.push_back({a.second_child(), pair.b});
-      open_.push_back({pair.a + 1, pair.b});
-    } else {
-      open_.push_back({pair.a, b.second_child()});
-      open_.push_back({pair.a, pair.b + 1});
-    }
-    return;
+  if (certificate.holds()) return front_.pairs.push_back({pair, until(certificate)});
+  const Node &a = tick.tree_a.node(FeatureNode(pair.a).node()),
+             &b = tick.tree_b.node(FeatureNode(pair.b).node());
+  const bool whole = !FeatureNode(pair.a).is_feature() && !FeatureNode(pair.b).is_feature();
+  if (a.is_leaf() && b.is_leaf()) {
+    test_triangles(tick, front_.leaves.emplace_back(Leaf{pair, kPassed, kPassed, {}}), collect);
+  } else if (whole && tick.node_batch.opens_features(a, b)) {
+    open_features(a.is_leaf() ? tick.tree_a : tick.tree_b, pair, b.is_leaf());
+  } else if (tick.node_batch.opens_first(a, b)) {
+    open_.push_back({a.second_child(), pair.b});
+    open_.push_back({pair.a + 1, pair.b});
+  } else {
+    open_.push_back({pair.a, b.second_child()});
+    open_.push_back({pair.a, pair.b + 1});
   }
-  if (!certificate.holds()) certificate = test_triangles(tick, a.triangle(), b.triangle(), collect);
-  front_.push_back(entry_of(pair, certificate));
 }
 
-// A certificate proves that there is nothing now, either; without one the pair is looked at.
-Certificate KineticFront::test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect) {
+// What the bounds say, or the features if one is in the place of its triangle.
+Certificate KineticFront::certificate_of(const Tick& tick, NodePair pair, Certificate bounds) const {
+  const FeatureNode a(pair.a), b(pair.b);
+  if (!a.is_feature() && !b.is_feature()) return bounds;
+  const Certificate features =
+      a.is_feature() ? tick.coarse_a(tested(tick, a.node(), false), a.place(), tick.tree_b.node(b.node()))
+                     : tick.coarse_b(tested(tick, b.node(), true), b.place(), tick.tree_a.node(a.node()));
+  return longer(bounds, features, odometer_->rate());
+}
+
+void KineticFront::open_features(const Tree& tree, NodePair pair, bool of_b) {
+  const std::uint32_t leaf = of_b ? pair.b : pair.a;
+  const OwnedFeatures owned = tree.owned(tree.node(leaf).triangle());
+  const unsigned corners = owned.corners | owned.near_corners, sides = owned.sides | owned.near_sides;
+  const unsigned places = corners | sides << 3 | 1u << TrianglePlace::kFace;
+  for (std::uint8_t code = 0; code <= TrianglePlace::kFace; ++code) {
+    if (!(places >> code & 1u)) continue;
+    (of_b ? pair.b : pair.a) = FeatureNode::code_of(leaf, {code});
+    open_.push_back(pair);
+  }
+}
+
+FeaturePairSet KineticFront::feature_pairs(const NodePair& pair) {
+  const FeatureNode a(pair.a), b(pair.b);
+  if (a.is_feature()) return FeaturePairSet::of(false, a.place());
+  return b.is_feature() ? FeaturePairSet::of(true, b.place()) : FeaturePairSet::all();
+}
+
+TestedTriangle KineticFront::tested(const Tick& tick, std::uint32_t node, bool of_b) const {
+  return of_b ? owned_triangle(tick.tree_b, b_->mesh(), tick.tree_b.node(node).triangle(), tick.placement)
+              : owned_triangle(tick.tree_a, a_->mesh(), tick.tree_a.node(node).triangle());
+}
+
+// The bounds of two triangles may clear each other again, which is seen at once for many.
+void KineticFront::settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves) {
+  std::array<NodePair, NodeBatch::kMost> pairs;
+  for (std::size_t i = 0; i < leaves.size(); ++i) pairs[i] = front_.leaves[leaves[i]].nodes;
+  NodeBatch::Certificates certificates;
+  tick.node_batch.certify({pairs.data(), leaves.size()}, odometer_->rate(), tick.reach, certificates);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    ++tick.found.work.node_pairs;
+    Leaf& leaf = front_.leaves[leaves[i]];
+    const Certificate certificate = certificate_of(tick, leaf.nodes, certificates.of(i));
+    if (certificate.holds()) {
+      leaf.until = until(certificate);
+    } else {
+      test_triangles(tick, leaf, true);
+    }
+  }
+}
+
+// Certificates prove that there is nothing now, either; pairs of features without one are looked at.
+void KineticFront::test_triangles(Tick& tick, Leaf& leaf, bool collect) {
   ++tick.found.work.triangle_pairs;
-  const TestedTriangle tested_a = owned_triangle(tick.tree_a, a_->mesh(), a);
-  const TestedTriangle tested_b = owned_triangle(tick.tree_b, b_->mesh(), b, tick.placement);
-  const Certificate certificate = tick.feature_certificate(tested_a, tested_b);
-  if (certificate.holds() || !collect) return certificate;
-  if (triangles_touch(tested_a.shape, tested_b.shape, tick.touch))
-    tick.found.add_overlap({a, b}, options_.max_overlaps);
+  const TestedTriangle tested_a = tested(tick, FeatureNode(leaf.nodes.a).node(), false);
+  const TestedTriangle tested_b = tested(tick, FeatureNode(leaf.nodes.b).node(), true);
+  certify_features(tick, leaf, tested_a, tested_b);
+  const FeaturePairSet doubtful = certificates_.doubtful();
+  if (collect && !doubtful.empty()) collect_features(tick, tested_a, tested_b, doubtful);
+}
+
+void KineticFront::certify_features(Tick& tick, Leaf& leaf, const TestedTriangle& a,
+                                    const TestedTriangle& b) {
+  const bool whole = leaf.rest.passed(now());
+  const FeaturePairSet due = whole ? feature_pairs(leaf.nodes) : leaf.due;
+  const Certificate far = tick.feature_certificate(a, b, due, certificates_);
+  if (far.holds()) {
+    leaf.until = until(far);
+    return;
+  }
+  const MotionRate& rate = odometer_->rate();
+  const PairCertificates::Split split =
+      whole ? certificates_.split(rate) : certificates_.outlasted_by(left(leaf.rest));
+  leaf.due = split.due;
+  if (whole) leaf.rest = until(split.rest);
+  leaf.until = earlier(until(split.first), leaf.rest);
+}
+
+void KineticFront::collect_features(Tick& tick, const TestedTriangle& a, const TestedTriangle& b,
+                                    FeaturePairSet among) {
+  if (among.has(FeaturePairSet::kContact) && triangles_touch(a.shape, b.shape, tick.touch))
+    tick.found.add_overlap({a.index, b.index}, options_.max_overlaps);
   if (fixed_ && !has_room_for_finds(tick)) {
     tick.found.cut = true;
-    return {};
+    return;
   }
-  tick.feature_test(tested_a, tested_b);
-  if (tick.near_test) (*tick.near_test)(tested_a, tested_b);
-  return {};
+  tick.feature_test(a, b, among);
+  if (tick.near_test) (*tick.near_test)(a, b, among);
 }
 
 // Takes a part of the front away and descends there anew, as far as it need be now.
 void KineticFront::renew(Tick& tick, std::uint64_t budget) {
-  if (front_.empty() || (fixed_ && !has_room(postponed_, kOpenRoom))) return;
+  if (front_.size() == 0 || (fixed_ && !has_room(postponed_, kOpenRoom))) return;
   const std::size_t entries = std::max(front_.size() / kRenewedShare, kLeastRenewed);
   const FrontCell cell = choose_cell(tick, std::min<std::uint64_t>(entries, budget / 2));
-  std::erase_if(front_, [&](const Entry& entry) { return cell.holds({entry.a, entry.b}); });
-  std::erase_if(postponed_, [&](const NodePair& pair) { return cell.holds(pair); });
+  const auto is_held = [&](const auto& entry) { return cell.holds(whole_nodes(entry.nodes)); };
+  std::erase_if(front_.pairs, is_held);
+  std::erase_if(front_.leaves, is_held);
+  std::erase_if(postponed_, [&](const NodePair& pair) { return cell.holds(whole_nodes(pair)); });
   open_.assign(1, cell.root);
   std::size_t left = std::min<std::uint64_t>(2 * entries, budget);
   while (left > 0 && !open_.empty() && has_room_for_batch()) {
@@ -256,9 +394,10 @@ void KineticFront::renew(Tick& tick, std::uint64_t budget) {
 FrontCell KineticFront::choose_cell(const Tick& tick, std::size_t most) {
   constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2³²: its multiples spread evenly
   const std::uint32_t chance = ticks_ / kRenewalTicks * kGoldenRatio;
-  const Entry& chosen = front_[static_cast<std::size_t>(std::uint64_t{chance} * front_.size() >> 32)];
-  CellsAbove cells(tick.node_batch, tick.tree_a, tick.tree_b, {chosen.a, chosen.b}, renewed_levels_);
-  for (const Entry& entry : front_) cells.count({entry.a, entry.b});
+  const NodePair chosen = front_.nodes(static_cast<std::size_t>(std::uint64_t{chance} * front_.size() >> 32));
+  CellsAbove cells(tick.node_batch, tick.tree_a, tick.tree_b, whole_nodes(chosen), renewed_levels_);
+  for (const Entry& entry : front_.pairs) cells.count(whole_nodes(entry.nodes));
+  for (const Leaf& leaf : front_.leaves) cells.count(whole_nodes(leaf.nodes));
   const std::size_t up = cells.highest_of(most);
   if (up + 1 == cells.levels()) {
     renewed_levels_ = std::min(renewed_levels_ + 1, CellsAbove::kMostLevels);
@@ -269,17 +408,31 @@ FrontCell KineticFront::choose_cell(const Tick& tick, std::size_t most) {
 }
 
 void KineticFront::rebase() {
-  for (Entry& entry : front_) {
-    entry.until_distance = rounded_down(entry.until_distance - odometer_->distance());
-    entry.until_angle = rounded_down(entry.until_angle - odometer_->angle());
+  const auto set_back = [this](Until& until) {
+    until.distance = rounded_down(until.distance - odometer_->distance());
+    until.angle = rounded_down(until.angle - odometer_->angle());
+  };
+  for (Entry& entry : front_.pairs) set_back(entry.until);
+  for (Leaf& leaf : front_.leaves) {
+    set_back(leaf.until);
+    set_back(leaf.rest);
   }
   odometer_->reset();
 }
 
-KineticFront::Entry KineticFront::entry_of(NodePair pair, const Certificate& certificate) const {
-  if (!certificate.holds()) return {pair.a, pair.b, -1.0f, -1.0f};
-  return {pair.a, pair.b, rounded_down(odometer_->distance() + kKept * certificate.distance),
+KineticFront::Until KineticFront::now() const {
+  return {rounded_up(odometer_->distance()), rounded_up(odometer_->angle())};
+}
+
+KineticFront::Until KineticFront::until(const Certificate& certificate) const {
+  if (!certificate.holds()) return kPassed;
+  return {rounded_down(odometer_->distance() + kKept * certificate.distance),
           rounded_down(odometer_->angle() + kKept * certificate.angle)};
+}
+
+// What is left of a certificate.
+Certificate KineticFront::left(const Until& until) const {
+  return {until.distance - odometer_->distance(), until.angle - odometer_->angle()};
 }
 
 }  // namespace palpate

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "engine/snch/feature_pair_set.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/front_cell.h"
 #include "engine/snch/lmd.h"
@@ -12,7 +15,9 @@
 #include "engine/snch/model.h"
 #include "engine/snch/node_batch.h"
 #include "engine/snch/odometer.h"
+#include "engine/snch/pair_certificates.h"
 #include "engine/snch/plateau.h"
+#include "engine/snch/tested_triangle.h"
 
 namespace palpate {
 
@@ -27,8 +32,9 @@ struct FrontWork {
 // certified coherence. The front of a traversal, the pairs of nodes where it was pruned and the pairs of
 // triangles that it reached, is kept from tick to tick. Each entry has a certificate on the odometer of the
 // relative motion; while that holds, the entry need not be looked at. A tick scans the front, tests again
-// what has expired, and descends there, so no LMD is late and none is missed. By that the front only
-// grows finer: each tick renews a small part of it from above, to be no finer than it need be.
+// what has expired, and descends there, so no LMD is late and none is missed. Of two triangles each pair of
+// features has its own certificate, and only those that may have ended are tested again. By that the front
+// only grows finer: a small part of it is renewed every few ticks from above, to be no finer than it need be.
 //
 // A tick may be given a budget of tests. What it leaves untested comes first in the next tick, so that
 // nothing is lost: the set is complete again as soon as the budget suffices.
@@ -53,7 +59,7 @@ class KineticFront {
   void fix(const Room& room);
   void unfix();
   Room used() const;  // by the last update
-  bool tight() const { return is_tight(front_) || is_tight(minima_); }
+  bool tight() const { return is_tight(front_.pairs) || is_tight(front_.leaves) || is_tight(minima_); }
 
   // Starts afresh next time; keeps the memory.
   void forget() { odometer_.reset(); }
@@ -61,11 +67,39 @@ class KineticFront {
   const FrontWork& work() const { return work_; }  // of the last update
 
  private:
+  // The odometer's readings up to which a certificate holds.
+  struct Until {
+    float distance;
+    float angle;
+
+    bool passed(const Until& now) const { return !(now.distance < distance && now.angle < angle); }
+  };
+  static constexpr Until kPassed{-1.0f, -1.0f};
+  static Until earlier(const Until& one, const Until& other) {
+    return {std::min(one.distance, other.distance), std::min(one.angle, other.angle)};
+  }
+  // Nodes that hold nothing for a time.
   struct Entry {
-    std::uint32_t a;  // nodes
-    std::uint32_t b;
-    float until_distance;  // the odometer's readings up to which the certificate holds
-    float until_angle;
+    NodePair nodes;
+    Until until;
+  };
+  // Triangles whose pairs of features have been tested.
+  struct Leaf {
+    NodePair nodes;
+    Until until;  // nothing is held that is not known
+    Until rest;   // the certificates of all pairs of features but `due`
+    FeaturePairSet due;
+  };
+  struct Front {
+    std::vector<Entry> pairs;
+    std::vector<Leaf> leaves;
+
+    void clear();
+    void reserve(std::size_t room);
+    std::size_t size() const { return pairs.size() + leaves.size(); }
+    const NodePair& nodes(std::size_t i) const {
+      return i < pairs.size() ? pairs[i].nodes : leaves[i - pairs.size()].nodes;
+    }
   };
   struct Tick;
 
@@ -74,27 +108,46 @@ class KineticFront {
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);
+  void open_expired(Tick& tick);
+  void list_expired_leaves();
+  void settle_open(Tick& tick, std::uint64_t budget);
+  void settle_leaves(Tick& tick, std::uint64_t budget);
   bool has_room_for_batch() const;
-  std::size_t affordable(const Tick& tick) const;
+  static std::size_t affordable(const Tick& tick, std::uint64_t budget);
   std::size_t settle_last(Tick& tick, std::size_t most, bool collect);
+  Certificate certificate_of(const Tick& tick, NodePair pair, Certificate bounds) const;
+  void open_features(const Tree& tree, NodePair pair, bool of_b);
+  static NodePair whole_nodes(const NodePair& pair) {
+    return {FeatureNode(pair.a).node(), FeatureNode(pair.b).node()};
+  }
+  static FeaturePairSet feature_pairs(const NodePair& pair);
+  TestedTriangle tested(const Tick& tick, std::uint32_t node, bool of_b) const;
   void settle(Tick& tick, NodePair pair, Certificate certificate, bool collect);
-  Certificate test_triangles(Tick& tick, std::uint32_t a, std::uint32_t b, bool collect);
+  void settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves);
+  void test_triangles(Tick& tick, Leaf& leaf, bool collect);
+  void certify_features(Tick& tick, Leaf& leaf, const TestedTriangle& a, const TestedTriangle& b);
+  void collect_features(Tick& tick, const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   void renew(Tick& tick, std::uint64_t budget);
   FrontCell choose_cell(const Tick& tick, std::size_t most);
   void rebase();
-  Entry entry_of(NodePair pair, const Certificate& certificate) const;
+  Until now() const;
+  Until until(const Certificate& certificate) const;
+  Certificate left(const Until& until) const;
 
   bool fixed_ = false;
   const Model* a_ = nullptr;
   const Model* b_ = nullptr;
   SearchOptions options_;
   std::optional<Odometer> odometer_;
-  std::vector<Entry> front_;
+  Front front_;
   std::vector<NodePair> open_;
   std::vector<NodePair> postponed_;  // pairs that are not on the front: the last tick could not afford them
-  std::uint32_t ticks_ = 0;          // since the start
-  std::size_t renewed_levels_ = 0;   // above an entry, where a part is looked for that can be renewed
+  std::vector<std::uint32_t> expired_leaves_;  // by index
+  std::size_t first_leaf_ = 0;                 // the first that the last tick could not afford
+  std::uint32_t ticks_ = 0;                    // since the start
+  std::size_t renewed_levels_ = 0;  // above an entry, where a part is looked for that can be renewed
   bool complete_ = true;
+  PairCertificates certificates_;
   std::vector<Minimum> minima_;
   PlateauGrouper grouper_;
   FrontWork work_;

@@ -131,23 +131,25 @@ struct NearMinimumTest::Candidate {
   double sine_squared = 1.0;  // of the angle between two edges
 };
 
-void NearMinimumTest::operator()(const TestedTriangle& a, const TestedTriangle& b) {
-  test_corners_and_face(b_, b, a_, a);
-  test_corners_and_face(a_, a, b_, b);
-  if (a.near_sides && b.near_sides) test_edges(a, b);
-  test_corners_and_edges(b_, b, a_, a);
-  test_corners_and_edges(a_, a, b_, b);
-  test_corners(a, b);
+void NearMinimumTest::operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
+  test_corners_and_face(b_, b, a_, a, among);
+  test_corners_and_face(a_, a, b_, b, among);
+  if (a.near_sides && b.near_sides) test_edges(a, b, among);
+  test_corners_and_edges(b_, b, a_, a, among);
+  test_corners_and_edges(a_, a, b_, b, among);
+  test_corners(a, b, among);
 }
 
 void NearMinimumTest::test_corners_and_face(const NearPolar& corner_side, const TestedTriangle& corners,
-                                            const NearPolar& face_side, const TestedTriangle& face) {
-  if (!corners.near_corners) return;
+                                            const NearPolar& face_side, const TestedTriangle& face,
+                                            FeaturePairSet among) {
+  const bool is_b = corner_side.side().is_b;
+  if (!corners.near_corners || !among.has_any(FeaturePairSet::corner_and_face(is_b, 0), 3)) return;
   const MeshSide& side = face_side.side();
   const Triangle& triangle = face.shape;
   const DVec3 normal = side.normal(face);
   for (int k = 0; k < 3; ++k) {
-    if (!corners.has_near_corner(k)) continue;
+    if (!corners.has_near_corner(k) || !among.has(FeaturePairSet::corner_and_face(is_b, k))) continue;
     const DVec3& corner = corners.shape.corner[k];
     const double height = glm::dot(corner - triangle.corner[0], normal);
     if (!within_limits(std::abs(height))) continue;
@@ -158,11 +160,11 @@ void NearMinimumTest::test_corners_and_face(const NearPolar& corner_side, const 
   }
 }
 
-void NearMinimumTest::test_edges(const TestedTriangle& a, const TestedTriangle& b) {
+void NearMinimumTest::test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_near_side(i)) continue;
     for (int j = 0; j < 3; ++j)
-      if (b.has_near_side(j)) test_edge_pair(a, i, b, j);
+      if (b.has_near_side(j) && among.has(FeaturePairSet::edges(i, j))) test_edge_pair(a, i, b, j);
   }
 }
 
@@ -184,12 +186,14 @@ void NearMinimumTest::test_edge_pair(const TestedTriangle& a, int i, const Teste
 }
 
 void NearMinimumTest::test_corners_and_edges(const NearPolar& corner_side, const TestedTriangle& corners,
-                                             const NearPolar& edge_side, const TestedTriangle& edges) {
-  if (!corners.near_corners) return;
+                                             const NearPolar& edge_side, const TestedTriangle& edges,
+                                             FeaturePairSet among) {
+  const bool is_b = corner_side.side().is_b;
+  if (!corners.near_corners || !among.has_any(FeaturePairSet::corner_and_edge(is_b, 0, 0), 9)) return;
   for (int j = 0; j < 3; ++j) {
     if (!edges.has_near_side(j)) continue;
     for (int k = 0; k < 3; ++k)
-      if (corners.has_near_corner(k))
+      if (corners.has_near_corner(k) && among.has(FeaturePairSet::corner_and_edge(is_b, k, j)))
         test_corner_and_edge(corner_side, corner_side.side().vertex(corners, k), corners.shape.corner[k],
                              edge_side, edges, j);
   }
@@ -210,11 +214,11 @@ void NearMinimumTest::test_corner_and_edge(const NearPolar& corner_side, Feature
          distance});
 }
 
-void NearMinimumTest::test_corners(const TestedTriangle& a, const TestedTriangle& b) {
+void NearMinimumTest::test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_near_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.has_near_corner(j)) continue;
+      if (!b.has_near_corner(j) || !among.has(FeaturePairSet::corners(i, j))) continue;
       const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
       const double distance = glm::length(between);
       if (!within_limits(distance)) continue;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/snch/feature_pair_set.h"
 #include "engine/snch/lmd.h"
 #include "engine/snch/near_polar.h"
 #include "engine/snch/parallel_cells.h"
@@ -25,7 +26,8 @@ class NearMinimumTest {
   NearMinimumTest(const NearPolar& a, const NearPolar& b, const Limits& limits, std::vector<Lmd>& found)
       : a_(a), b_(b), limits_(limits), found_(found) {}
 
-  void operator()(const TestedTriangle& a, const TestedTriangle& b);
+  void operator()(const TestedTriangle& a, const TestedTriangle& b,
+                  FeaturePairSet among = FeaturePairSet::all());
 
   // How far beyond an end, where its patch or line goes on, a point still counts as on a feature of the given
   // length, so that none falls through between: by the rounding there, and by the wedge between two that
@@ -38,14 +40,14 @@ class NearMinimumTest {
   struct Candidate;
 
   void test_corners_and_face(const NearPolar& corner_side, const TestedTriangle& corners,
-                             const NearPolar& face_side, const TestedTriangle& face);
-  void test_edges(const TestedTriangle& a, const TestedTriangle& b);
+                             const NearPolar& face_side, const TestedTriangle& face, FeaturePairSet among);
+  void test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   void test_edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j);
   void test_corners_and_edges(const NearPolar& corner_side, const TestedTriangle& corners,
-                              const NearPolar& edge_side, const TestedTriangle& edges);
+                              const NearPolar& edge_side, const TestedTriangle& edges, FeaturePairSet among);
   void test_corner_and_edge(const NearPolar& corner_side, Feature vertex, const DVec3& corner,
                             const NearPolar& edge_side, const TestedTriangle& edges, int side);
-  void test_corners(const TestedTriangle& a, const TestedTriangle& b);
+  void test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   bool within_limits(double distance) const { return distance <= limits_.cutoff && distance > limits_.touch; }
   static double way_to_end(const Candidate& candidate);
   void admit(const Candidate& candidate);

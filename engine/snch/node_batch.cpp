@@ -348,6 +348,7 @@ void certify(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <algorithm>
 #include <cmath>
 
 namespace palpate {
@@ -373,7 +374,11 @@ NodeBatch::View view_of(const Placement& placement, double cutoff) {
 }  // namespace
 
 NodeBatch::NodeBatch(const Tree& a, const Tree& b, const Placement& placement, double cutoff)
-    : a_(a), b_(b), placement_(placement), view_(view_of(placement, cutoff)) {}
+    : a_(a),
+      b_(b),
+      placement_(placement),
+      view_(view_of(placement, cutoff)),
+      tells_features_(std::max(a.node_count(), b.node_count()) <= FeatureNode::kMostNodes) {}
 
 void NodeBatch::judge(std::span<const NodePair> pairs, Verdicts& verdicts) {
   gather(pairs);
@@ -391,8 +396,8 @@ void NodeBatch::certify(std::span<const NodePair> pairs, const MotionRate& rate,
 void NodeBatch::gather(std::span<const NodePair> pairs) {
   for (std::size_t i = 0; i < kMost; ++i) {
     const NodePair pair = pairs[i < pairs.size() ? i : 0];
-    rows_.a[i] = a_.node(pair.a);
-    rows_.b[i] = b_.node(pair.b);
+    rows_.a[i] = a_.node(FeatureNode(pair.a).node());
+    rows_.b[i] = b_.node(FeatureNode(pair.b).node());
     const Vec3 gap(placement_.point(DVec3(rows_.b[i].centre)) - DVec3(rows_.a[i].centre));
     for (int axis = 0; axis < 3; ++axis) rows_.gap[axis][i] = gap[axis];
   }

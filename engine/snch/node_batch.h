@@ -6,12 +6,13 @@
 #include <span>
 
 #include "engine/mesh/placement.h"
+#include "engine/snch/feature_node.h"
 #include "engine/snch/odometer.h"
 #include "engine/snch/tree.h"
 
 namespace palpate {
 
-// Two nodes, one of each tree, by index.
+// Two nodes, one of each tree, by index; of one of them it may be a feature, by the code of a FeatureNode.
 struct NodePair {
   std::uint32_t a;
   std::uint32_t b;
@@ -53,6 +54,14 @@ class NodeBatch {
   void certify(std::span<const NodePair> pairs, const MotionRate& rate, double reach,
                Certificates& certificates);
 
+  // One of two nodes is a leaf so much coarser than the other, which is none, that a traversal opens it into
+  // its features, and then the other alone.
+  bool opens_features(const Node& a, const Node& b) const {
+    if (a.is_leaf() == b.is_leaf() || !tells_features_) return false;
+    const float radius_b = view_.ratio * b.radius;
+    return a.is_leaf() ? a.radius > kCoarse * radius_b : radius_b > kCoarse * a.radius;
+  }
+
   // Of two nodes that are not both leaves, which one a traversal opens: the larger.
   bool opens_first(const Node& a, const Node& b) const {
     return b.is_leaf() || (!a.is_leaf() && a.radius > view_.ratio * b.radius);
@@ -74,6 +83,8 @@ class NodeBatch {
   };
 
  private:
+  static constexpr float kCoarse = 2.5f;
+
   void gather(std::span<const NodePair> pairs);
 
   const Tree& a_;
@@ -81,6 +92,7 @@ class NodeBatch {
   Placement placement_;
   View view_;
   Rows rows_;
+  bool tells_features_;
 };
 
 }  // namespace palpate

@@ -14,6 +14,7 @@ struct Certificate {
   double angle = 0.0;     // radians
 
   static constexpr double kForever = 1e30;
+  static Certificate forever() { return {kForever, kForever}; }
   static Certificate within_distance(double distance) { return {std::max(0.0, distance), kForever}; }
   static Certificate within_angle(double angle) { return {kForever, std::max(0.0, angle)}; }
 

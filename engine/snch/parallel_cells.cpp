@@ -28,11 +28,11 @@ bool are_perpendicular(const DVec3& one, const DVec3& other, double cosine) {
 
 }  // namespace
 
-void ParallelCells::operator()(const TestedTriangle& a, const TestedTriangle& b) {
-  test_faces(a, b);
-  test_edges_and_face(b_, b, a_, a);
-  test_edges_and_face(a_, a, b_, b);
-  test_edge_pairs(a, b);
+void ParallelCells::operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
+  if (among.has(FeaturePairSet::kFaces)) test_faces(a, b);
+  test_edges_and_face(b_, b, a_, a, among);
+  test_edges_and_face(a_, a, b_, b, among);
+  test_edge_pairs(a, b, among);
 }
 
 void ParallelCells::test_faces(const TestedTriangle& a, const TestedTriangle& b) {
@@ -48,10 +48,13 @@ void ParallelCells::test_faces(const TestedTriangle& a, const TestedTriangle& b)
 }
 
 void ParallelCells::test_edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
-                                        const MeshSide& face_side, const TestedTriangle& face) {
+                                        const MeshSide& face_side, const TestedTriangle& face,
+                                        FeaturePairSet among) {
+  if (!among.has_any(FeaturePairSet::edge_and_face(edge_side.is_b, 0), 3)) return;
   const DVec3 up = face_side.normal(face);
   for (int side = 0; side < 3; ++side) {
-    if (!edges.has_side(side) || !are_perpendicular(edges.shape.along(side), up, limits_.parallel_tolerance))
+    if (!edges.has_side(side) || !among.has(FeaturePairSet::edge_and_face(edge_side.is_b, side)) ||
+        !are_perpendicular(edges.shape.along(side), up, limits_.parallel_tolerance))
       continue;
     const bool above = glm::dot(edges.shape.start(side) - face.shape.corner[0], up) > 0;
     if (!above && !face_side.mesh.double_sided[face.index]) continue;
@@ -67,12 +70,13 @@ void ParallelCells::test_edges_and_face(const MeshSide& edge_side, const TestedT
   }
 }
 
-void ParallelCells::test_edge_pairs(const TestedTriangle& a, const TestedTriangle& b) {
+void ParallelCells::test_edge_pairs(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
   for (int i = 0; i < 3; ++i) {
     if (!a.has_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
+      if (!b.has_side(j) || !among.has(FeaturePairSet::edges(i, j))) continue;
       const DVec3 u = a.shape.along(i), v = b.shape.along(j);
-      if (!b.has_side(j) || !are_parallel(u, v, limits_.parallel_tolerance)) continue;
+      if (!are_parallel(u, v, limits_.parallel_tolerance)) continue;
       const double length = glm::length(u);
       const DVec3 along = u / length;
       const double from = glm::dot(b.shape.start(j) - a.shape.start(i), along);

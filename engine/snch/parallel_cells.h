@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/snch/feature_pair_set.h"
 #include "engine/snch/minimum.h"
 #include "engine/snch/tested_triangle.h"
 
@@ -22,7 +23,7 @@ class ParallelCells {
   ParallelCells(const MeshSide& a, const MeshSide& b, const Limits& limits, std::vector<Minimum>& found)
       : a_(a), b_(b), limits_(limits), found_(found) {}
 
-  void operator()(const TestedTriangle& a, const TestedTriangle& b);
+  void operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
 
  private:
   // The corners of a cell, on the second model.
@@ -43,8 +44,8 @@ class ParallelCells {
 
   void test_faces(const TestedTriangle& a, const TestedTriangle& b);
   void test_edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges, const MeshSide& face_side,
-                           const TestedTriangle& face);
-  void test_edge_pairs(const TestedTriangle& a, const TestedTriangle& b);
+                           const TestedTriangle& face, FeaturePairSet among);
+  void test_edge_pairs(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   static Corners clipped(Corners corners, const Triangle& triangle, const DVec3& normal);
   static double width_of(const Corners& corners, const DVec3& normal);
   void emit(const Cell& cell, const Corners& corners, const DVec3& on_first);

@@ -20,8 +20,10 @@ class FrontCells : public testing::Test {
   NodeBatch batch_{a_->tree(), b_->tree(), placement_, 0.01};
   Random random_{kSeed};
 
-  bool is_leaf(const NodePair& pair) const {
-    return a_->tree().node(pair.a).is_leaf() && b_->tree().node(pair.b).is_leaf();
+  // Beneath it there are no cells: two leaves, or a leaf that is opened into its features.
+  bool is_lowest(const NodePair& pair) const {
+    const Node &a = a_->tree().node(pair.a), &b = b_->tree().node(pair.b);
+    return (a.is_leaf() && b.is_leaf()) || batch_.opens_features(a, b);
   }
 
   std::vector<NodePair> children(const NodePair& pair) const {
@@ -30,10 +32,10 @@ class FrontCells : public testing::Test {
     return {{pair.a, pair.b + 1}, {pair.a, b.second_child()}};
   }
 
-  // Pairs that a traversal opens one after another, down to two leaves.
+  // Pairs that a traversal opens one after another, down to the lowest.
   std::vector<NodePair> way_down() {
     std::vector<NodePair> way{{0, 0}};
-    while (!is_leaf(way.back())) way.push_back(children(way.back())[random_.below(2)]);
+    while (!is_lowest(way.back())) way.push_back(children(way.back())[random_.below(2)]);
     return way;
   }
 

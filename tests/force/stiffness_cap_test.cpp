@@ -308,5 +308,16 @@ TEST(Cap, StaysFiniteForAbsurdStiffness) {
   EXPECT_LE(glm::length(force), 800.0 * 0.05);
 }
 
+TEST(Cap, StaysFiniteForAbsurdCaps) {
+  Dice dice(23);
+  for (int i = 0; i < 5'000; ++i) {
+    const double most = dice.spread(1e-290, 1e15);
+    Springs springs(dice.springs().list(), most, {dice.spread(1e-6, 1e15), kCutoff});
+    const DVec3 force = springs.force_at(DVec3(0.0));
+    ASSERT_TRUE(std::isfinite(force.x + force.y + force.z)) << most;
+    ASSERT_LE(glm::length(force), 4.0 * most * kCutoff * (1.0 + 1e-9)) << most;
+  }
+}
+
 }  // namespace
 }  // namespace palpate

@@ -1,6 +1,7 @@
 #include <array>
 #include <vector>
 
+#include "tests/fuzz/box_model.h"
 #include "tests/fuzz/input.h"
 #include "tests/fuzz/sound.h"
 #include "tests/fuzz/targets.h"
@@ -94,19 +95,8 @@ class Program {
   }
 
   void make_model() {
-    constexpr float kCorners[] = {-.5f, -.5f, -.5f, .5f, -.5f, -.5f, -.5f, .5f, -.5f, .5f, .5f, -.5f,
-                                  -.5f, -.5f, .5f,  .5f, -.5f, .5f,  -.5f, .5f, .5f,  .5f, .5f, .5f};
-    constexpr std::uint8_t kBox[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-    plp_triangles triangles;
-    plp_triangles_init(&triangles, sizeof triangles);
-    triangles.positions = kCorners;
-    triangles.vertex_count = 8;
-    triangles.indices = kBox;
-    triangles.index_type = PLP_TYPE_UINT8;
-    triangles.triangle_count = 1 + input_.below(12);
-    plp_model model = nullptr;
-    if (checked(plp_model_create_from_triangles(&triangles, nullptr, &model)) >= 0) models_.push_back(model);
+    const plp_model model = box_model(1.0f, 1 + input_.below(kBoxTriangles));
+    if (model) models_.push_back(model);
   }
 
   void make_scene() {

@@ -18,13 +18,22 @@ using Target = void (*)(std::span<const std::uint8_t>);
 
 struct Named {
   const char* name;
+  const char* corpus;  // that it shares with others of its kind
   Target target;
   int mutations;
   std::size_t random_length;  // of inputs from nothing; 0: there are none
 };
 
 constexpr Named kTargets[] = {
-    {"gltf", gltf, 3'000, 0}, {"triangles", triangles, 300, 512}, {"calls", calls, 300, 512}};
+    {"gltf", "gltf", gltf, 3'000, 0},
+    {"gltf_scene", "gltf", gltf_scene, 2'000, 0},
+    {"triangles", "triangles", triangles, 300, 512},
+    {"calls", "calls", calls, 300, 512},
+    {"trace", "trace", trace, 1'500, 0},
+#ifdef PALPATE_FUZZ_HID
+    {"hid", "hid", hid, 150, 512},
+#endif
+};
 
 // The inputs that tests/fuzz/corpus keeps: seeds, and every input that ever broke a promise.
 std::vector<Bytes> corpus(const char* name) {
@@ -77,7 +86,7 @@ void expect_kept(Target target, const Bytes& input, const std::string& which) {
 class Fuzz : public testing::TestWithParam<Named> {};
 
 TEST_P(Fuzz, TheCorpusBreaksNothing) {
-  const std::vector<Bytes> inputs = corpus(GetParam().name);
+  const std::vector<Bytes> inputs = corpus(GetParam().corpus);
   ASSERT_FALSE(inputs.empty());
   for (std::size_t i = 0; i < inputs.size(); ++i)
     expect_kept(GetParam().target, inputs[i], "input " + std::to_string(i));
@@ -85,7 +94,7 @@ TEST_P(Fuzz, TheCorpusBreaksNothing) {
 
 // A short run of what tests/fuzz/run.sh does for long, with the same inputs every time.
 TEST_P(Fuzz, MutationsBreakNothing) {
-  std::vector<Bytes> seeds = corpus(GetParam().name);
+  std::vector<Bytes> seeds = corpus(GetParam().corpus);
   for (int i = 0; i < GetParam().mutations; ++i) {
     std::mt19937 random(static_cast<std::uint32_t>(i));
     Bytes input = GetParam().random_length > 0 && i % 2 ? random_bytes(random, GetParam().random_length)

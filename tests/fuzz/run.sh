@@ -11,7 +11,7 @@ Usage: bash tests/fuzz/run.sh [--minutes N] [TARGET...]
 
   --minutes N   for each target (30)
   --help        this text
-  TARGET        of gltf, triangles, calls: all without any
+  TARGET        of gltf, gltf_scene, triangles, calls, trace, hid: all without any
 
 Prints each target's executions, coverage and findings. Exit 1 if anything was found.
 USAGE
@@ -27,12 +27,12 @@ while (($#)); do
       shift
       ;;
     --help | -h) usage; exit 0 ;;
-    gltf | triangles | calls) targets+=("$1") ;;
+    gltf | gltf_scene | triangles | calls | trace | hid) targets+=("$1") ;;
     *) echo "tests/fuzz/run.sh: unknown argument $1" >&2; usage >&2; exit 2 ;;
   esac
   shift
 done
-((${#targets[@]})) || targets=(gltf triangles calls)
+((${#targets[@]})) || targets=(gltf gltf_scene triangles calls trace hid)
 
 install_missing "${palpate_build_packages[@]}" "${palpate_test_packages[@]}" "${palpate_fuzz_packages[@]}"
 cmake --preset fuzz -DPython3_EXECUTABLE=/usr/bin/python3
@@ -43,11 +43,12 @@ for target in "${targets[@]}"; do
   found="build/fuzz/found/$target"
   mkdir -p "$found" "build/fuzz/corpus/$target"
   options=(-max_total_time="$((60 * minutes))" -max_len=8192 -rss_limit_mb=4000 -timeout=30 -print_final_stats=1)
-  [[ ! -f "tests/fuzz/$target.dict" ]] || options+=(-dict="tests/fuzz/$target.dict")
+  seeds="${target%_scene}"
+  [[ ! -f "tests/fuzz/$seeds.dict" ]] || options+=(-dict="tests/fuzz/$seeds.dict")
   echo "== $target: $minutes minutes"
   log="build/fuzz/$target.log"
   "build/fuzz/tests/fuzz/fuzz_$target" "${options[@]}" -artifact_prefix="$found/" \
-    "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 || status=1
+    "build/fuzz/corpus/$target" "tests/fuzz/corpus/$seeds" >"$log" 2>&1 || status=1
   grep -E "^stat::number_of_executed_units|what\(\)|SUMMARY" "$log" || true
   grep -oE "cov: [0-9]+ ft: [0-9]+" "$log" | tail -1
   echo "$(find "$found" -type f | wc -l) inputs found that break something"
