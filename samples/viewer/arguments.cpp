@@ -68,6 +68,10 @@ void add_output(CLI::App& app, Arguments& arguments, Words& words) {
   app.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Milliseconds of the scene in a frame")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
+  app.add_option(
+         "--runs", arguments.runs,
+         "Make the same film so often, and keep each tick's least times: a busy machine spoils few twice")
+      ->check(CLI::Range(1, 100));
   app.add_flag("--stepped", arguments.stepped, "Step the scene in the window's frames instead of a servo");
   app.add_flag("--threaded", words.threaded, "Without a window, too, a servo steps the scene in real time");
   app.add_option("--screenshot", arguments.screenshot, "Write the last frame as PNG");
@@ -108,6 +112,8 @@ void apply(const Words& words, Arguments& arguments) {
   // Without a device nothing but the frames says when the tool moves on.
   arguments.stepped =
       arguments.device.empty() || (!words.threaded && (arguments.stepped || arguments.headless));
+  if (arguments.runs > 1 && !(arguments.headless && arguments.stepped))
+    throw cli::Failure("--runs needs --headless without --threaded: only then runs are the same");
   if (arguments.headless && (arguments.scene.empty() || arguments.tool.empty()))
     throw cli::Failure("--headless needs a scene and a tool, or an --experiment");
 }

@@ -27,6 +27,7 @@ struct Arguments {
   bool stepped = false;            // in the frames: the same ticks are the same bits
   std::optional<unsigned> frames;  // none: as many as a replay has, or a few seconds
   unsigned ticks_per_frame = 16;
+  unsigned runs = 1;       // of the same film; each tick's times are the least
   std::string screenshot;  // files to write; empty: none
   std::string record;
   std::string log;

@@ -28,14 +28,10 @@ class Film {
   }
 
   void run() {
-    auto due = std::chrono::steady_clock::now();
-    for (unsigned i = 0; goes_on(i); ++i) {
-      viewer_.update({}, kFrame);
-      if (arguments_.stepped) continue;
-      draw();
-      due += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-          std::chrono::duration<double>(kFrame));
-      std::this_thread::sleep_until(due);
+    run_once();
+    for (unsigned i = 1; i < arguments_.runs; ++i) {
+      viewer_.begin_anew();
+      run_once();
     }
   }
 
@@ -57,6 +53,18 @@ class Film {
   }
 
  private:
+  void run_once() {
+    auto due = std::chrono::steady_clock::now();
+    for (unsigned i = 0; goes_on(i); ++i) {
+      viewer_.update({}, kFrame);
+      if (arguments_.stepped) continue;
+      draw();
+      due += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+          std::chrono::duration<double>(kFrame));
+      std::this_thread::sleep_until(due);
+    }
+  }
+
   bool goes_on(unsigned frame) const {
     if (arguments_.frames) return frame < *arguments_.frames;
     const bool ends_by_itself = arguments_.replay && arguments_.device.empty();

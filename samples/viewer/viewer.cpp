@@ -47,6 +47,11 @@ void Viewer::wait_until_loaded() {
   take_up(std::move(content));
 }
 
+void Viewer::begin_anew() {
+  least_ = ticks();
+  reset();
+}
+
 void Viewer::update(const Input& input, double seconds) {
   // What fails keeps nothing else from being done, least of all what a person asks for.
   attempt([&] { poll_loading(); });
@@ -184,6 +189,12 @@ void Viewer::begin_session() {
   session_->rig().apply(choices_.settings);
 }
 
+void Viewer::reset() {
+  choices_.motion = arguments_.motion;
+  if (arguments_.replay) choices_.settings = content_->arguments.settings;
+  begin_session();
+}
+
 void Viewer::take_input(const Input& input, double seconds) {
   pending_.insert(pending_.end(), input.dropped.begin(), input.dropped.end());
   if (!choices_.opened.empty()) pending_.push_back(std::exchange(choices_.opened, ""));
@@ -263,9 +274,7 @@ void Viewer::execute_on_session(Command command) {
       session_->pause(true);
       return session_->step();
     case Command::kReset:
-      choices_.motion = arguments_.motion;
-      if (arguments_.replay) choices_.settings = content_->arguments.settings;
-      return begin_session();
+      return reset();
     case Command::kArm:
       if (session_->rig().has_device())
         session_->rig().arm(session_->rig().device_state().safety == PLP_SAFETY_DISARMED);
@@ -302,6 +311,10 @@ std::vector<cli::Tick> Viewer::ticks() const {
   std::vector<cli::Tick> ticks;
   const History& history = session_->history();
   for (std::size_t i = 0; i < history.size(); ++i) ticks.push_back(history[i]);
+  for (std::size_t i = 0; i < std::min(ticks.size(), least_.size()); ++i) {
+    ticks[i].local_us = std::min(ticks[i].local_us, least_[i].local_us);
+    ticks[i].work.global_us = std::min(ticks[i].work.global_us, least_[i].work.global_us);
+  }
   return ticks;
 }
 

@@ -21,6 +21,8 @@ class Viewer {
 
   // Throws cli::Failure, for programs without a window.
   void wait_until_loaded();
+  // The same once more: a tick's times are the least of all runs.
+  void begin_anew();
   bool finished() const { return session_ && session_->finished(); }
 
   // What a person did goes in, and time goes by.
@@ -44,6 +46,7 @@ class Viewer {
   void take_up(Content content);
   void look_at_all();
   void begin_session();
+  void reset();
   void poll_loading();
   void take_input(const Input& input, double seconds);
   void lead_hand(const Input& input, double seconds);
@@ -69,6 +72,7 @@ class Viewer {
   bool panels_ = true;
   bool quit_ = false;
   bool screenshot_ = false;
+  std::vector<cli::Tick> least_;  // the ticks of the runs before, with their least times
   std::uint64_t frames_ = 0;
   std::uint64_t frames_while_loading_ = 0;
   std::string message_;

@@ -119,6 +119,12 @@ class Film(unittest.TestCase):
         self.film(BOX, BALL, "--replay", trace, "--stiffness", 0, "--damping", 0, "--log", self.folder / "changed.csv")
         self.assertTrue(all(float(row["fy"]) == 0.0 for row in self.rows("changed.csv")))
 
+    def test_runs_are_the_same_but_for_their_times(self):
+        for name, runs in (("one.csv", 1), ("three.csv", 3)):
+            self.film(BOX, BALL, "--motion", "slide", "--frames", 50, "--runs", runs, "--log", self.folder / name)
+        self.assertTrue(any(int(row["pairs"]) > 0 for row in self.rows("one.csv")))
+        self.assertEqual(self.without_times("one.csv"), self.without_times("three.csv"))
+
     def test_a_servo_is_recorded(self):
         trace = self.folder / "servo.plptrace"
         self.film(BOX, BALL, "--motion", "press", "--threaded", "--frames", 60, "--size", 320, 320, "--record", trace)
@@ -157,6 +163,7 @@ class Film(unittest.TestCase):
         self.assertIn("crankshaft-gear", self.complaint("--experiment", "nothing"))
         self.assertIn("--headless", self.complaint(BOX))
         self.assertIn("--mode fast", self.complaint(BOX, BALL, "--mode", "fast"))
+        self.assertIn("--runs", self.complaint(BOX, BALL, "--threaded", "--runs", 2))
         self.assertIn("--cutoff", self.complaint(BOX, BALL, "--cutoff", "-1"))
         broken_trace = self.folder / "broken.plptrace"
         broken_trace.write_bytes(b"PLPTRACE but no more")
