@@ -57,7 +57,7 @@ def bundle(library, folder):
         output_of("strip", "--strip-unneeded", copy)
         # One change at a time: patchelf mixes up the values of several.
         output_of("patchelf", "--set-soname", name, copy)
-        for other in needed:
+        for other in set(output_of("patchelf", "--print-needed", copy).split()) & set(needed):
             output_of("patchelf", "--replace-needed", other, plain_name(other), copy)
         output_of("patchelf", "--set-rpath", "$ORIGIN", copy)
     return [library, *needed.values()]

@@ -182,7 +182,8 @@ class Parser:
         since = SINCE.search(documentation)
         if not since:
             raise HeaderError(f"line {self.token.line}: the comment before {name} does not say @since")
-        self.interface.functions.append(Function(name, result, self._parameters(), since.group(1), section))
+        self.interface.functions.append(
+            Function(name, result, self._parameters(), since.group(1), section, documentation))
         self.declared.add(name)
         self._expect(";")
 

@@ -69,13 +69,14 @@ class Callback:
 
 @dataclass(frozen=True)
 class Function:
-    """`since` is the version that brought it; `section` counts the header's parts."""
+    """`since` is the version that brought it; `section` counts the header's parts; `doc` is its comment."""
 
     name: str
     result: Type
     parameters: tuple[Field, ...]
     since: str
     section: int
+    doc: str = field(default="", compare=False)
 
 
 @dataclass

@@ -1,8 +1,9 @@
-"""Puts the native library into the wheel."""
+"""Puts the native library into the wheel, and all that it needs beyond the C and C++ run-times."""
 
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -18,6 +19,8 @@ PROJECT = Path(__file__).resolve().parents[2]
 BUILT = PROJECT / "build" / "release" / "capi" / "libpalpate.so"
 # The name that the package looks for, without the links that a wheel cannot hold.
 PACKAGED_NAME = "libpalpate.so"
+# Set to 0 for the library alone: its wheel loads where the same Debian packages are installed.
+BUNDLE = "PALPATE_BUNDLE"
 
 
 def build_library(folder):
@@ -31,21 +34,41 @@ def build_library(folder):
     return Path(folder, "capi", "libpalpate.so")
 
 
-def copy_library(target):
-    """From the environment, else from the release build, else built here and now."""
-    named = os.environ.get("PALPATE_LIBRARY")
-    if named or BUILT.exists():
-        shutil.copyfile(named or BUILT, target)
-        return
-    with tempfile.TemporaryDirectory(prefix="palpate-build-") as folder:
-        shutil.copyfile(build_library(folder), target)
+def bundle_library(library, package):
+    """With what it needs beside it, whose licences are told."""
+    sys.path.insert(0, str(PROJECT / "bindings" / "bundle"))
+    try:
+        import bundle
+    except ImportError:
+        raise SystemExit(f"palpate: bindings/bundle is not there. Install from within the project, or set {BUNDLE}=0 to "
+                         "take the library alone.") from None
+    try:
+        originals = bundle.bundle(library, package)
+        (package / "THIRD_PARTY_NOTICES.md").write_text(bundle.notices(originals))
+    except bundle.BundleError as error:
+        raise SystemExit(f"palpate: {error}. With {BUNDLE}=0 the library is taken alone, which then needs the same "
+                         "system packages wherever it is installed.") from None
 
 
 class BuildWithLibrary(build_py):
     def run(self):
         super().run()
-        package = Path("src") if self.editable_mode else Path(self.build_lib)
-        copy_library(package / "palpate" / PACKAGED_NAME)
+        package = Path("src" if self.editable_mode else self.build_lib, "palpate")
+        with tempfile.TemporaryDirectory(prefix="palpate-build-") as folder:
+            library = self.find_library(folder)
+            # What is editable stays on this machine.
+            if self.editable_mode or os.environ.get(BUNDLE) == "0":
+                shutil.copyfile(library, package / PACKAGED_NAME)
+            else:
+                bundle_library(library, package)
+
+    @staticmethod
+    def find_library(folder):
+        """From the environment, else from the release build, else built here and now."""
+        named = os.environ.get("PALPATE_LIBRARY")
+        if named or BUILT.exists():
+            return Path(named or BUILT)
+        return build_library(folder)
 
 
 class PlatformWheel(bdist_wheel):

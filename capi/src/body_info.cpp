@@ -87,8 +87,10 @@ plp_result plp_scene_get_body_model(plp_scene scene, plp_body body, plp_model* m
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     require(model, "model is null");
+    BodyOptions options = added_or_refuse(*object, body).options;
     auto shared = std::make_unique<ModelObject>();
-    shared->model = added_or_refuse(*object, body).options.model;
+    shared->model = std::move(options.model);
+    shared->name = std::move(options.model_name);
     *model = new_handle<plp_model>(model_table(), std::move(shared));
   });
 }

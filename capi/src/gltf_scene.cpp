@@ -5,9 +5,11 @@
 #include "capi/src/log.h"
 #include "capi/src/model_options.h"
 #include "capi/src/structs.h"
+#include "capi/src/text.h"
 #include "engine/base/clock.h"
 #include "engine/gltf/gltf_bodies.h"
 #include "engine/gltf/gltf_file.h"
+#include "engine/trace/layout.h"
 
 namespace palpate::capi {
 namespace {
@@ -68,8 +70,16 @@ double friction_of(const HapticMaterial& material) {
   return material.friction == 0.0 ? -1.0 : material.friction.value_or(0.0);
 }
 
+// Of the file and, in it, of the node: a trace keeps both, and a replay finds the model by them.
+std::string model_name(const SceneLoad& load, const GltfBody& body) {
+  const std::string file = path_of(load.name.c_str()).filename().string();
+  const std::string node = "#/nodes/" + std::to_string(body.node);
+  return file.substr(0, fitting_length(file, kLongestTraceName - node.size())) + node;
+}
+
 NewBody new_body(const GltfBody& body, std::shared_ptr<const Model> model, const SceneLoad& load) {
   NewBody made;
+  made.options.model_name = model_name(load, body);
   made.options.kind = kind_of(body);
   made.options.model = std::move(model);
   made.options.pose = load.world_from_file * body.scene_from_body;

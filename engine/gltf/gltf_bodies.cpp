@@ -97,6 +97,9 @@ void BodyGatherer::find_tool(const std::string& name) {
            " are both called ", quoted(name), ", so that neither is the tool");
     tool_ = static_cast<std::int32_t>(i);
   }
+  for (std::size_t i = 0; i < scene_.nodes.size() && tool_ == kNone; ++i) {
+    if ("/nodes/" + std::to_string(scene_.nodes[i].index) == name) tool_ = static_cast<std::int32_t>(i);
+  }
   if (tool_ == kNone)
     fail(ErrorCode::kInvalidArgument, "no node of the scene is called ", quoted(name), ", the tool");
 }

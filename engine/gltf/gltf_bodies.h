@@ -33,8 +33,8 @@ struct GltfBodies {
 };
 
 // The bodies of a scene that was read with its hierarchy, all of it `scale` times as large. `tool` names the
-// tool's node; if it is empty, there is none. Errors: kInvalidArgument (no such node, or several),
-// kNoTriangles, and those of build_mesh.
+// tool's node or, as "/nodes/5", tells its index; if it is empty, there is none. Errors: kInvalidArgument (no
+// such node, or several), kNoTriangles, and those of build_mesh.
 Result<GltfBodies> gather_bodies(const GltfScene& scene, const std::string& tool, const MeshOptions& options,
                                  double scale = 1.0);
 

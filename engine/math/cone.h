@@ -8,13 +8,28 @@
 
 namespace palpate {
 
+// The tangent of half the angle between two unit vectors whose ends are `chord` apart. Accurate for small
+// angles.
+inline double half_tangent_across(double chord) {
+  const double sine = 0.5 * chord;
+  return sine < 1.0 ? sine / std::sqrt(1.0 - sine * sine) : 1e300;
+}
+
 // The unit directions within an angle of an axis. The angle is at most a right angle, or the cone is `whole`.
 struct Cone {
   DVec3 axis{0.0, 0.0, 1.0};
-  double cosine = -1.0;
+  double half_tangent = kWhole;  // of half the angle
 
+  static constexpr double kWhole = 2.0;
   static Cone whole() { return {}; }
-  bool is_whole() const { return cosine < 0.0; }
+  bool is_whole() const { return half_tangent > 1.0; }
+
+  // By an angle that is given in the same way.
+  Cone widened(double by) const {
+    const double product = half_tangent * by;
+    const double sum = product < 1.0 ? (half_tangent + by) / (1.0 - product) : kWhole;
+    return is_whole() || sum > 1.0 ? whole() : Cone{axis, sum};
+  }
 };
 
 // A narrow cone around unit directions: centred on their mean, then pulled towards the farthest one for a few
@@ -28,13 +43,15 @@ inline Cone cone_around(std::span<const Vec3> directions) {
     const double length = glm::length(axis);
     if (!(length > 1e-9)) break;
     axis /= length;
-    double cosine = 1.0;
+    double most = 0.0;
     DVec3 farthest = axis;
     for (const Vec3& direction : directions) {
-      const double c = glm::dot(axis, DVec3(direction));
-      if (c < cosine) cosine = c, farthest = DVec3(direction);
+      const DVec3 chord = DVec3(direction) - axis;
+      const double squared = glm::dot(chord, chord);
+      if (squared > most) most = squared, farthest = DVec3(direction);
     }
-    if (cosine > best.cosine && cosine > 0.0) best = {axis, cosine};
+    const double half_tangent = half_tangent_across(std::sqrt(most));
+    if (half_tangent < std::min(best.half_tangent, 1.0)) best = {axis, half_tangent};
     axis += (farthest - axis) / (round + 1.0);
   }
   return best;

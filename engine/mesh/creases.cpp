@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "engine/mesh/polar_cone.h"
 
@@ -34,13 +35,10 @@ class CreaseFinder {
     creases_.patch.resize(mesh_.triangles.size());
     std::iota(creases_.patch.begin(), creases_.patch.end(), 0u);
     creases_.line.assign(mesh_.edges.size(), Creases::kNone);
+    turn_.assign(mesh_.triangles.size(), 0.0);
     for (std::uint32_t edge = 0; edge < mesh_.edges.size(); ++edge) {
       const auto triangles = mesh_.edge_triangles[edge];
-      if (within_patch(triangles)) {
-        unite(triangles[0], triangles[1]);
-      } else {
-        creases_.line[edge] = edge;
-      }
+      if (!within_patch(triangles) || !unite(triangles[0], triangles[1])) creases_.line[edge] = edge;
     }
     for (std::uint32_t t = 0; t < creases_.patch.size(); ++t) creases_.patch[t] = root_of(t);
   }
@@ -50,10 +48,18 @@ class CreaseFinder {
            continues(normals_[triangles[0]], normals_[triangles[1]]);
   }
 
-  void unite(std::uint32_t one, std::uint32_t other) {
+  // Unless the patch would turn too much: many slight turns add up to a cone around a vertex, whose tip is no
+  // part of a flat face, or to a ball.
+  bool unite(std::uint32_t one, std::uint32_t other) {
     one = root_of(one);
     other = root_of(other);
-    creases_.patch[std::max(one, other)] = std::min(one, other);
+    if (one == other) return true;
+    if (one > other) std::swap(one, other);
+    const double turn = glm::length(glm::cross(normals_[one], normals_[other])) + turn_[other];
+    if (!continues(normals_[one], normals_[other]) || turn > Creases::kStraight) return false;
+    turn_[one] = std::max(turn_[one], turn);
+    creases_.patch[other] = one;
+    return true;
   }
 
   std::uint32_t root_of(std::uint32_t t) {
@@ -176,6 +182,7 @@ class CreaseFinder {
   const Mesh& mesh_;
   Creases& creases_;
   std::vector<DVec3> normals_;
+  std::vector<double> turn_;  // by lowest triangle of a patch: no other's normal differs from its own by more
   std::vector<std::array<std::uint32_t, 2>> at_vertex_;  // its first two crease edges
 };
 

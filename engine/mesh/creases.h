@@ -24,7 +24,8 @@ struct VertexCone {
 struct Creases {
   static constexpr std::uint32_t kNone = ~0u;
 
-  // Faces and edges that turn by less than this (radians) continue each other.
+  // Faces and edges that turn by less than this (radians) continue each other; the faces of a patch differ
+  // from its lowest one by no more, all together.
   static constexpr double kStraight = 1e-4;
 
   // A patch of more triangles than the first knows its border, if that has no more lines than the second.

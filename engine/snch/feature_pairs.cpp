@@ -13,8 +13,13 @@ namespace {
 // the lower feature at its end, whose own polar cone decides, with a tolerance that covers this.
 constexpr double kEnd = 1e-12;
 
-// Edges that differ less than this (radians) are parallel: their minima are those of their ends.
-constexpr double kParallel = 1e-9;
+// Edges that differ less than this (radians) have a common normal that is rounding for the most part: the
+// direction is that between their closest points.
+constexpr double kNearlyParallel = 1e-9;
+
+// Edges that differ less than this are parallel: their minima are those of their ends, at any distance that
+// is no touch.
+constexpr double kParallel = 2e-15;
 
 // Rounding of a point's coordinates, as a part of the distance that counts as touching.
 constexpr double kRoundingOfTouch = 0.2;
@@ -94,6 +99,10 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
       const double end = std::min(std::min(lines.s, 1 - lines.s) * glm::length(u),
                                   std::min(lines.t, 1 - lines.t) * glm::length(v));
       if (!(end > kEnd * (glm::length(u) + glm::length(v)) + limits_.touch)) continue;
+      if (!lines.inclined(u, v, kNearlyParallel)) {
+        test_nearly_parallel_edges(a, i, b, j, lines.s, end);
+        continue;
+      }
       const DVec3 unit = lines.normal / std::sqrt(lines.normal_squared);
       const double height = glm::dot(start_b - start_a, unit);
       const double distance = std::abs(height);
@@ -102,6 +111,20 @@ void FeaturePairTest::test_edges(const TestedTriangle& a, const TestedTriangle& 
              height < 0 ? -unit : unit, distance, end, limits_.parallel_tolerance, true});
     }
   }
+}
+
+// The closer the edges, the more a slight crossing matters: their ends lean by the angle times their length
+// over the distance. Where along the edge they cross is known less well than the point that is closest to it.
+void FeaturePairTest::test_nearly_parallel_edges(const TestedTriangle& a, int i, const TestedTriangle& b,
+                                                 int j, double place_a, double end) {
+  const DVec3 v = b.shape.along(j);
+  const DVec3 on_a = a.shape.start(i) + place_a * a.shape.along(i);
+  const DVec3 on_b = b.shape.start(j) + v * (glm::dot(on_a - b.shape.start(j), v) / glm::dot(v, v));
+  const DVec3 between = on_b - on_a;
+  const double distance = glm::length(between);
+  if (distance > limits_.cutoff || distance <= limits_.touch) return;
+  admit({a_, b_, a_.edge(a, i), b_.edge(b, j), on_a, on_b, between / distance, distance, end,
+         limits_.parallel_tolerance + kRoundingOfTouch * limits_.touch / distance, true});
 }
 
 void FeaturePairTest::test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,

@@ -32,6 +32,8 @@ class FeaturePairTest {
   void test_corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
                              const MeshSide& face_side, const TestedTriangle& face, FeaturePairSet among);
   void test_edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
+  void test_nearly_parallel_edges(const TestedTriangle& a, int i, const TestedTriangle& b, int j,
+                                  double place_a, double end);
   void test_corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
                               const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among);
   void test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);

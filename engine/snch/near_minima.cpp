@@ -103,7 +103,8 @@ bool is_on(const NearPolar& side, const TestedTriangle& t, int k, double place, 
   return true;
 }
 
-// A point at `distance` is over a triangle, or within the seam where its patch goes on.
+// A point at `distance` is over a triangle, or within the seam where its patch goes on. The seam is around
+// the side, not its line: beyond the sharp corner of a sliver one is near the line far away.
 bool is_over(const NearPolar& side, const TestedTriangle& t, const DVec3& normal, const DVec3& point,
              double distance) {
   for (int k = 0; k < 3; ++k) {
@@ -111,8 +112,10 @@ bool is_over(const NearPolar& side, const TestedTriangle& t, const DVec3& normal
     const double inside = glm::dot(glm::cross(normal, along), point - t.shape.start(k));  // times the length
     if (inside > 0.0) continue;
     if (!side.creases().is_flat(side.side().mesh.triangle_edges[t.index][k])) return false;
-    const double length = glm::length(along);
-    if (inside < -NearMinimumTest::seam(length, distance) * length) return false;
+    const DVec3 foot = point - normal * glm::dot(normal, point - t.shape.start(k));
+    if (distance_to_segment(foot, t.shape.start(k), t.shape.end(k)) >
+        NearMinimumTest::seam(glm::length(along), distance))
+      return false;
   }
   return true;
 }

@@ -92,44 +92,72 @@ struct WideCone {
   Float sine;
 };
 
-// One lane a node: reads the nodes of as many rows as there are lanes.
+// One lane a node: decodes as many rows as there are lanes, as PackedNode does.
 class WideNodes {
  public:
-  explicit WideNodes(const Node* rows)
-      : floats_(reinterpret_cast<const float*>(rows)),
-        offsets_(hn::Mul(hn::Iota(Ints(), 0), hn::Set(Ints(), kFloats))) {}
-
-  Float3 centre() const { return three(0); }
-  Float radius() const { return field(3); }
-  Float3 half() const { return three(4); }
-  WideCone cone() const { return {three(8), field(7), field(11)}; }
-
-  // How far the cone's directions reach along +axis and −axis, at most.
-  Float sweep_high(int axis) const { return byte(axis); }
-  Float sweep_low(int axis) const { return byte(3 + axis); }
-
- private:
-  using Ints = hn::RebindToSigned<Lanes>;
-
-  Float field(int index) const { return hn::GatherIndex(Lanes(), floats_ + index, offsets_); }
-  Float3 three(int index) const { return {field(index), field(index + 1), field(index + 2)}; }
-
-  Float byte(int index) const {
-    const auto* words = reinterpret_cast<const std::int32_t*>(floats_) + kSweeps + index / 4;
-    const auto word = hn::GatherIndex(Ints(), words, offsets_);
-    const auto low = hn::And(hn::ShiftRightSame(word, 8 * (index % 4)), hn::Set(Ints(), 255));
-    return hn::Mul(hn::ConvertTo(Lanes(), low), constant(1.0f / 255.0f));
+  explicit WideNodes(const PackedNode* rows)
+      : words_(reinterpret_cast<const std::uint32_t*>(rows)),
+        offsets_(hn::Mul(hn::Iota(Ints(), 0), hn::Set(Ints(), sizeof(PackedNode) / 4))) {
+    const Word x_and_y = word(4), z_and_radius = word(5), low_bits_and_cone = word(6);
+    half_ = {span(low(x_and_y), low_bits_and_cone), span(high(x_and_y), hn::ShiftRight<4>(low_bits_and_cone)),
+             span(low(z_and_radius), hn::ShiftRight<8>(low_bits_and_cone))};
+    radius_ = span(high(z_and_radius), hn::ShiftRight<12>(low_bits_and_cone));
+    cone_ = cone_of(high(low_bits_and_cone), axis_of(word(7)));
   }
 
-  static constexpr int kFloats = sizeof(Node) / sizeof(float);
-  static constexpr int kSweeps = offsetof(Node, sweep_high) / sizeof(float);
-  static_assert(offsetof(Node, radius) == 12 && offsetof(Node, half) == 16 &&
-                offsetof(Node, cone_cosine) == 28 && offsetof(Node, cone_axis) == 32 &&
-                offsetof(Node, cone_sine) == 44 && offsetof(Node, sweep_high) == 48 &&
-                offsetof(Node, sweep_low) == 51);
+  Float radius() const { return radius_; }
+  const Float3& half() const { return half_; }
+  const WideCone& cone() const { return cone_; }
 
-  const float* floats_;
+ private:
+  using Words = hn::RebindToUnsigned<Lanes>;
+  using Ints = hn::RebindToSigned<Lanes>;
+  using Word = hn::Vec<Words>;
+
+  Word word(int index) const { return hn::GatherIndex(Words(), words_ + index, offsets_); }
+  static Word low(Word word) { return hn::And(word, hn::Set(Words(), 0xFFFFu)); }
+  static Word high(Word word) { return hn::ShiftRight<16>(word); }
+
+  static Float decoded(Word code) {
+    return hn::BitCast(
+        Lanes(), hn::Add(hn::ShiftLeft<FloatCode::kDropped>(code), hn::Set(Words(), FloatCode::kLeast)));
+  }
+  static Float span(Word upper, Word lower) {
+    return decoded(hn::Or(hn::ShiftLeft<4>(upper), hn::And(lower, hn::Set(Words(), 15u))));
+  }
+
+  static Float3 axis_of(Word octant) {
+    const auto place = [](Word code) {
+      const auto from_centre = hn::Sub(hn::BitCast(Ints(), code), hn::Set(Ints(), PackedNode::kOctantCentre));
+      return hn::Mul(hn::ConvertTo(Lanes(), from_centre), constant(1.0f / PackedNode::kOctantCentre));
+    };
+    Float3 axis{place(low(octant)), place(high(octant)), constant(1.0f)};
+    axis.z = hn::Sub(hn::Sub(axis.z, hn::Abs(axis.x)), hn::Abs(axis.y));
+    const Float fold = positive(hn::Neg(axis.z));
+    axis.x = hn::Sub(axis.x, hn::CopySign(fold, axis.x));
+    axis.y = hn::Sub(axis.y, hn::CopySign(fold, axis.y));
+    return axis * hn::Div(constant(1.0f), length(axis));
+  }
+
+  static WideCone cone_of(Word code, const Float3& axis) {
+    const Mask whole =
+        hn::RebindMask(Lanes(), hn::Eq(code, hn::Set(Words(), std::uint32_t{PackedNode::kWhole})));
+    const Float tangent = decoded(hn::ShiftLeft<4>(code)), tangent_squared = squared(tangent);
+    const Float share = hn::Div(constant(2.0f), hn::Add(constant(1.0f), tangent_squared));
+    const Float cosine = hn::Sub(constant(PackedNode::kBelowOne), hn::Mul(share, tangent_squared));
+    return {axis, hn::IfThenElse(whole, constant(-1.0f), cosine),
+            hn::IfThenElse(whole, hn::Zero(Lanes()), hn::Mul(share, tangent))};
+  }
+
+  static_assert(offsetof(PackedNode, half) == 16 && offsetof(PackedNode, radius) == 22 &&
+                offsetof(PackedNode, low_bits) == 24 && offsetof(PackedNode, cone) == 26 &&
+                offsetof(PackedNode, octant) == 28);
+
+  const std::uint32_t* words_;
   hn::Vec<Ints> offsets_;
+  Float radius_;
+  Float3 half_;
+  WideCone cone_;
 };
 
 // Squared distance from `d` to the segments from the origin of length `cutoff` along all directions of the
@@ -221,6 +249,14 @@ Gap gap_between(const NodeBatch::View& view, const WideNodes& a, const WideNodes
   return gap;
 }
 
+// The largest component, along an axis, of the unit directions of a cone whose own axis has these components
+// along it and across; not negative.
+Float farthest_along(const WideCone& cone, Float along, Float across) {
+  const Float rim = hn::Add(hn::Mul(along, cone.cosine), hn::Mul(across, cone.sine));
+  const Mask within = hn::Or(hn::Lt(cone.cosine, hn::Zero(Lanes())), hn::Ge(along, cone.cosine));
+  return hn::Add(hn::IfThenElse(within, constant(1.0f), positive(rim)), constant(kRounding));
+}
+
 // How far the one model lies, along an axis, beyond the boxes that the other's cones sweep within the cutoff;
 // the larger over the axes, seen from A and from B.
 struct Swept {
@@ -228,19 +264,24 @@ struct Swept {
   Float from_b;
 };
 
-Swept beyond_swept_boxes(const Gap& gap, const WideNodes& a, const WideNodes& b, float cutoff) {
+Swept beyond_swept_boxes(const Gap& gap, const WideCone& a, const WideCone& b, float cutoff) {
   const Float zero = hn::Zero(Lanes()), reach = constant(cutoff);
-  const auto beyond = [&](Float outside, Mask high, const WideNodes& nodes, int axis) {
-    const Float sweep = hn::IfThenElse(high, nodes.sweep_high(axis), nodes.sweep_low(axis));
-    return hn::Sub(outside, hn::Mul(reach, sweep));
+  const auto beyond = [&](Float outside, Mask high, const WideCone& cone, Float along, Float one,
+                          Float other) {
+    const Float towards = hn::IfThenElse(high, along, hn::Neg(along));
+    const Float across = hn::Sqrt(hn::Add(squared(one), squared(other)));
+    return hn::Sub(outside, hn::Mul(reach, farthest_along(cone, towards, across)));
   };
-  const Float from_a = hn::Max(beyond(gap.outside_a.x, hn::Gt(gap.in_a.x, zero), a, 0),
-                               hn::Max(beyond(gap.outside_a.y, hn::Gt(gap.in_a.y, zero), a, 1),
-                                       beyond(gap.outside_a.z, hn::Gt(gap.in_a.z, zero), a, 2)));
-  const Float from_b = hn::Max(beyond(gap.outside_b.x, hn::Lt(gap.in_b.x, zero), b, 0),
-                               hn::Max(beyond(gap.outside_b.y, hn::Lt(gap.in_b.y, zero), b, 1),
-                                       beyond(gap.outside_b.z, hn::Lt(gap.in_b.z, zero), b, 2)));
-  return {from_a, from_b};
+  const auto over_axes = [&](const Float3& outside, Mask x, Mask y, Mask z, const WideCone& cone) {
+    const Float3& axis = cone.axis;
+    return hn::Max(beyond(outside.x, x, cone, axis.x, axis.y, axis.z),
+                   hn::Max(beyond(outside.y, y, cone, axis.y, axis.z, axis.x),
+                           beyond(outside.z, z, cone, axis.z, axis.x, axis.y)));
+  };
+  return {over_axes(gap.outside_a, hn::Gt(gap.in_a.x, zero), hn::Gt(gap.in_a.y, zero),
+                    hn::Gt(gap.in_a.z, zero), a),
+          over_axes(gap.outside_b, hn::Lt(gap.in_b.x, zero), hn::Lt(gap.in_b.y, zero),
+                    hn::Lt(gap.in_b.z, zero), b)};
 }
 
 WideCone cone_in_a(const NodeBatch::View& view, const WideCone& cone) {
@@ -263,7 +304,7 @@ void judge_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::
               hn::Le(apart, cutoff));
   const Mask contact = hn::And(near, hn::And(hn::Le(apart, zero), hn::Le(gap.squared, squared(gap.radii))));
 
-  const Swept swept = beyond_swept_boxes(gap, a, b, view.cutoff);
+  const Swept swept = beyond_swept_boxes(gap, a.cone(), b.cone(), view.cutoff);
   const Lens lens = lens_of(a.cone(), cone_in_a(view, b.cone()));
   const Float sector = squared_distance_to_sector(gap.in_a, gap.squared, lens.cone, cutoff);
   const Mask in_sector =
@@ -322,7 +363,7 @@ void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std
     const Float clear = hn::Sqrt(squared_distance_to_sector(gap.in_a, gap.squared, cone, cutoff));
     return hn::Sub(hn::Sub(clear, gap.radii), hn::Mul(constant(kRounding), gap.distance));
   };
-  const Swept boxes = beyond_swept_boxes(gap, a, b, view.cutoff);
+  const Swept boxes = beyond_swept_boxes(gap, a.cone(), b.cone(), view.cutoff);
   const Float swept = hn::Max(hn::Max(boxes.from_a, clear_of(cone_a)),
                               seen_from_b(hn::Max(boxes.from_b, clear_of(cone_b)), reach));
   const Float turned = angle_between(cone_a, cone_b);
@@ -396,8 +437,8 @@ void NodeBatch::certify(std::span<const NodePair> pairs, const MotionRate& rate,
 void NodeBatch::gather(std::span<const NodePair> pairs) {
   for (std::size_t i = 0; i < kMost; ++i) {
     const NodePair pair = pairs[i < pairs.size() ? i : 0];
-    rows_.a[i] = a_.node(FeatureNode(pair.a).node());
-    rows_.b[i] = b_.node(FeatureNode(pair.b).node());
+    rows_.a[i] = a_.packed(FeatureNode(pair.a).node());
+    rows_.b[i] = b_.packed(FeatureNode(pair.b).node());
     const Vec3 gap(placement_.point(DVec3(rows_.b[i].centre)) - DVec3(rows_.a[i].centre));
     for (int axis = 0; axis < 3; ++axis) rows_.gap[axis][i] = gap[axis];
   }

@@ -77,8 +77,8 @@ class NodeBatch {
 
   // The nodes of the pairs, side by side, and the way from A's centre to B's in A's frame.
   struct Rows {
-    std::array<Node, kMost> a;
-    std::array<Node, kMost> b;
+    std::array<PackedNode, kMost> a;
+    std::array<PackedNode, kMost> b;
     alignas(64) std::array<float, kMost> gap[3];
   };
 

@@ -1,9 +1,7 @@
 #include "engine/snch/tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/clock.h"
 #include "engine/base/parallel.h"
@@ -39,36 +37,15 @@ std::vector<std::uint32_t> leaf_triangles(const std::vector<TopologyNode>& topol
   return order;
 }
 
-// 255 · the largest component, along an axis, of the directions of a cone whose own axis has `component`
-// there.
-std::uint8_t sweep(double component, double cosine, double sine) {
-  const double across = std::sqrt(std::max(0.0, 1.0 - component * component));
-  const double reach = component >= cosine ? 1.0 : component * cosine + across * sine;
-  return static_cast<std::uint8_t>(std::clamp(std::ceil(255.0 * reach + 1e-3), 0.0, 255.0));
-}
-
-void set_cone(Node& node, const Cone& cone, double margin) {
-  const double angle = cone.is_whole() ? std::numbers::pi : std::acos(std::min(cone.cosine, 1.0)) + margin;
-  const bool whole = angle > 0.5 * std::numbers::pi;
-  const double cosine = whole ? -1.0 : std::cos(angle), sine = whole ? 0.0 : std::sin(angle);
-  node.cone_axis = Vec3(cone.axis);
-  node.cone_cosine = whole ? -1.0f : std::nextafter(static_cast<float>(cosine), -1.0f);
-  node.cone_sine = static_cast<float>(sine);
-  for (int k = 0; k < 3; ++k) {
-    node.sweep_high[k] = sweep(cone.axis[k], cosine, sine);
-    node.sweep_low[k] = sweep(-cone.axis[k], cosine, sine);
-  }
-}
-
 class NodeFiller {
  public:
   NodeFiller(const Mesh& mesh, const Creases* creases, const std::vector<TopologyNode>& topology,
-             std::vector<Node>& nodes)
+             std::vector<PackedNode>& nodes)
       : mesh_(mesh),
         topology_(topology),
         order_(leaf_triangles(topology)),
         directions_(mesh, order_, creases),
-        cone_margin_(creases ? kConeMargin + kSmoothingAngle : kConeMargin),
+        cone_margin_(std::tan(0.5 * (creases ? kConeMargin + kSmoothingAngle : kConeMargin))),
         nodes_(nodes) {}
 
   // Small subtrees side by side, then what is above them.
@@ -111,14 +88,13 @@ class NodeFiller {
 
   // `first` of an inner node is the rank of its first leaf: it is visited right after that leaf.
   void fill_bounds(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
-    Node& node = nodes_[i];
-    const Box box = node.is_leaf() ? box_of(first) : united(nodes_[i + 1], nodes_[node.second_child()]);
+    PackedNode& node = nodes_[i];
+    const Box box = node.is_leaf() ? box_of(first) : united(nodes_[i + 1], nodes_[node.link]);
     node.centre = Vec3(box.centre());
     const DVec3 centre(node.centre);
     const DVec3 half = glm::max(box.high - centre, centre - box.low);
-    node.half = Vec3(kOutward * half);
-    node.radius = static_cast<float>(
-        kOutward * (end - first > kExactLeaves ? glm::length(half) : reach(centre, first, end)));
+    const double radius = end - first > kExactLeaves ? glm::length(half) : reach(centre, first, end);
+    node.set_box(kOutward * half, kOutward * radius);
   }
 
   Box box_of(std::uint32_t rank) const {
@@ -127,11 +103,11 @@ class NodeFiller {
     return box;
   }
 
-  static Box united(const Node& one, const Node& other) {
+  static Box united(const PackedNode& one, const PackedNode& other) {
     Box box;
-    for (const Node* node : {&one, &other}) {
-      box.grow(DVec3(node->centre) - DVec3(node->half));
-      box.grow(DVec3(node->centre) + DVec3(node->half));
+    for (const PackedNode* node : {&one, &other}) {
+      box.grow(DVec3(node->centre) - DVec3(node->half_size()));
+      box.grow(DVec3(node->centre) + DVec3(node->half_size()));
     }
     return box;
   }
@@ -148,21 +124,21 @@ class NodeFiller {
   }
 
   void fill_cone(std::uint32_t i, std::uint32_t first, std::uint32_t end) {
-    set_cone(nodes_[i], unbounded(i, first) ? Cone::whole() : cone_around(directions_.of(first, end)),
-             cone_margin_);
+    const Cone cone = unbounded(i, first) ? Cone::whole() : cone_around(directions_.of(first, end));
+    nodes_[i].set_cone(cone.widened(cone_margin_));
   }
 
   bool unbounded(std::uint32_t i, std::uint32_t first) const {
     if (nodes_[i].is_leaf()) return directions_.unbounded[first] != 0;
-    return nodes_[i + 1].cone_cosine < 0 || nodes_[nodes_[i].second_child()].cone_cosine < 0;
+    return nodes_[i + 1].cone_is_whole() || nodes_[nodes_[i].link].cone_is_whole();
   }
 
   const Mesh& mesh_;
   const std::vector<TopologyNode>& topology_;
   const std::vector<std::uint32_t> order_;
   const PolarDirections directions_;
-  const double cone_margin_;
-  std::vector<Node>& nodes_;
+  const double cone_margin_;  // the tangent of its half
+  std::vector<PackedNode>& nodes_;
 };
 
 std::vector<OwnedFeatures> owned_features(const Mesh& mesh) {

@@ -32,7 +32,7 @@ struct QueryArguments {
 // What is not given is as in the trace that is followed, or else as usual.
 struct RunArguments {
   std::string a;
-  std::string b;
+  std::string b;         // empty: a trace's tool is a node of the scene
   double scale_a = 1.0;  // of the models, before anything else
   double scale_b = 1.0;
   std::string trajectory;

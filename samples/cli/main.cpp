@@ -28,8 +28,9 @@ void add_scene(CLI::App& app, SceneArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("scene", "List the bodies of a glTF scene, a node and its mesh each");
   command->add_option("file", arguments.file, "A .gltf or .glb file")->required();
-  command->add_option("--tool", arguments.tool,
-                      "Name of the node that is the tool, with all that is below it");
+  command->add_option(
+      "--tool", arguments.tool,
+      "Name of the node that is the tool, with all that is below it; or /nodes/5 for its index");
   command->add_flag("--json", arguments.json, "Print JSON");
   command->callback([&] { run_scene(arguments); });
 }
@@ -54,8 +55,9 @@ void add_query(CLI::App& app, QueryArguments& arguments) {
 
 void add_run(CLI::App& app, RunArguments& arguments) {
   CLI::App* command = app.add_subcommand("run", "Move one model along a trajectory past another");
-  command->add_option("a", arguments.a, "The model that stands still")->required();
-  command->add_option("b", arguments.b, "The model that moves")->required();
+  command->add_option("a", arguments.a, "The model that stands still, or the glTF scene of a trace")
+      ->required();
+  command->add_option("b", arguments.b, "The model that moves; not if a trace has it from a scene");
   add_scale(*command, "--scale-a", arguments.scale_a);
   add_scale(*command, "--scale-b", arguments.scale_b);
   command->add_option("--trajectory", arguments.trajectory, "CSV: t,px,py,pz,qx,qy,qz,qw; or a trace")

@@ -15,11 +15,31 @@ bool is_trace(const std::string& path) {
 
 }  // namespace
 
+std::vector<plp_trace_body> body_and_tool() {
+  std::vector<plp_trace_body> bodies(2);
+  bodies[0].kind = PLP_BODY_STATIC;
+  bodies[1].kind = PLP_BODY_TOOL;
+  return bodies;
+}
+
+plp_body_options body_options(const plp_trace_body& recorded) {
+  plp_body_options options;
+  plp_body_options_init(&options, sizeof options);
+  options.kind = static_cast<plp_body_kind>(recorded.kind);
+  options.stiffness = recorded.stiffness;
+  options.damping = recorded.damping;
+  options.friction = recorded.friction;
+  options.intangible = recorded.intangible;
+  std::copy_n(recorded.reference_point, 3, options.reference_point);
+  return options;
+}
+
 Motion::Motion(const std::string& path) {
   if (is_trace(path)) {
     open_trace(path);
   } else {
     poses_ = read_trajectory(path);
+    bodies_ = body_and_tool();
   }
 }
 
@@ -38,15 +58,14 @@ void Motion::open_trace(const std::string& path) {
 
 void Motion::take_bodies(const std::string& path, const plp_trace_info& info) {
   std::size_t tools = 0;
-  for (std::uint64_t i = 0; i < info.bodies && info.bodies == 2; ++i) {
-    plp_trace_body read;
+  for (std::uint64_t i = 0; i < info.bodies; ++i) {
+    plp_trace_body& read = bodies_.emplace_back();
     plp_trace_body_init(&read, sizeof read);
     check(plp_trace_get_body(trace_.get(), i, &read));
     if (read.first_tick != 0 || read.end_tick != info.ticks) throw Failure(path + ": its bodies come and go");
     tools += read.kind == PLP_BODY_TOOL;
-    (read.kind == PLP_BODY_TOOL ? tool_ : body_) = read;
   }
-  if (tools != 1) throw Failure(path + ": has not two bodies, one of them a tool");
+  if (tools != 1) throw Failure(path + ": has no tool");
 }
 
 plp_scene_options Motion::options() const {
@@ -56,22 +75,9 @@ plp_scene_options Motion::options() const {
   return options;
 }
 
-plp_body_options Motion::body_options(plp_body_kind kind) const {
-  const plp_trace_body& recorded = kind == PLP_BODY_TOOL ? tool_ : body_;
-  plp_body_options options;
-  plp_body_options_init(&options, sizeof options);
-  options.kind = kind;
-  options.stiffness = recorded.stiffness;
-  options.damping = recorded.damping;
-  options.friction = recorded.friction;
-  options.intangible = recorded.intangible;
-  std::copy_n(recorded.reference_point, 3, options.reference_point);
-  return options;
-}
-
-void Motion::place(std::size_t step, plp_scene scene, plp_body body, plp_body tool) const {
-  check(plp_trace_place(trace_.get(), step, body_.body, scene, body));
-  check(plp_trace_place(trace_.get(), step, tool_.body, scene, tool));
+void Motion::place(std::size_t step, plp_scene scene, const std::vector<plp_body>& bodies) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    check(plp_trace_place(trace_.get(), step, bodies_[i].body, scene, bodies[i]));
 }
 
 plp_trace_tick Motion::tick(std::size_t step) const {

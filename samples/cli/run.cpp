@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -53,7 +54,7 @@ class Reference {
             const Motion& motion)
       : arguments_(from_scratch(arguments)),
         stage_(arguments_, from_scratch(options), models, motion),
-        comparison_(scale_of(options, models)) {}
+        comparison_(scale_of(options, models, motion)) {}
 
   void compare(std::size_t pose, const plp_contacts& found) {
     static_cast<void>(stage_.step(pose));
@@ -71,16 +72,17 @@ class Reference {
     return options;
   }
 
-  static Comparison scale_of(const plp_scene_options& options, const RunModels& models) {
+  static Comparison scale_of(const plp_scene_options& options, const RunModels& models,
+                             const Motion& motion) {
     constexpr double kOnePoint = 1e-9;  // of the body's diagonal
-    plp_model_info body, tool;
-    plp_model_info_init(&body, sizeof body);
-    plp_model_info_init(&tool, sizeof tool);
-    check(plp_model_get_info(models.body.get(), &body));
-    check(plp_model_get_info(models.tool.get(), &tool));
     const double unit = options.space.metres_per_unit;
     const double force = options.stiffness * options.cutoff * unit;
-    return {force, 0.5 * tool.diagonal * force, kOnePoint * body.diagonal / unit};
+    double tool = 0.0, largest = 0.0;  // diagonals
+    for (std::size_t i = 0; i < motion.bodies().size(); ++i) {
+      double& diagonal = motion.bodies()[i].kind == PLP_BODY_TOOL ? tool : largest;
+      diagonal = std::max(diagonal, models.diagonal(i));
+    }
+    return {force, 0.5 * tool * force, kOnePoint * largest / unit};
   }
 
   const RunArguments arguments_;
@@ -205,7 +207,7 @@ void run_trajectory(const RunArguments& arguments) {
   const Motion motion(arguments.trajectory);
   const plp_scene_options options = scene_options(arguments, motion);
   const double interval = arguments.threaded ? seconds_a_pose(motion.poses(), arguments.trajectory) : 0.0;
-  const RunModels models(arguments);
+  const RunModels models(arguments, motion);
   Stage stage(arguments, options, models, motion);
   std::optional<Reference> reference;
   if (arguments.compare) reference.emplace(arguments, options, models, motion);

@@ -37,14 +37,16 @@ Stage::Stage(const RunArguments& arguments, const plp_scene_options& options, co
              const Motion& motion)
     : arguments_(arguments), motion_(motion) {
   check(plp_scene_create(&options, scene_.receive()));
-  body_ = add(models.body, PLP_BODY_STATIC);
-  tool_ = add(models.tool, PLP_BODY_TOOL);
+  for (std::size_t i = 0; i < motion.bodies().size(); ++i) {
+    bodies_.push_back(add(models[i], motion.bodies()[i]));
+    if (motion.bodies()[i].kind == PLP_BODY_TOOL) tool_ = bodies_.back();
+  }
 }
 
 void Stage::move(std::size_t pose) {
   if (!motion_.recorded()) return check(plp_scene_set_pose(scene_.get(), tool_, &motion_.poses()[pose].pose));
   follow_settings(motion_.tick(pose));
-  motion_.place(pose, scene_.get(), body_, tool_);
+  motion_.place(pose, scene_.get(), bodies_);
 }
 
 // What was not asked for otherwise changes as it did when the trace was recorded.
@@ -109,9 +111,9 @@ plp_contacts Stage::contacts() const {
   return contacts;
 }
 
-plp_body Stage::add(const OwnedModel& model, plp_body_kind kind) {
-  plp_body_options options = motion_.body_options(kind);
-  options.model = model.get();
+plp_body Stage::add(plp_model model, const plp_trace_body& recorded) {
+  plp_body_options options = body_options(recorded);
+  options.model = model;
   plp_body body = 0;
   check(plp_scene_add_body(scene_.get(), &options, &body));
   return body;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "palpate/palpate.h"
 #include "samples/cli/commands.h"
 #include "samples/cli/handles.h"
 #include "samples/cli/motion.h"
+#include "samples/cli/run_models.h"
 #include "samples/cli/tick.h"
 
 namespace palpate::cli {
@@ -13,19 +15,10 @@ namespace palpate::cli {
 plp_mode mode_of(const std::string& name);  // throws Failure, as the next
 plp_law law_of(const std::string& name);
 
-// The models of a run: one that stands still and one that moves.
-struct RunModels {
-  OwnedModel body;
-  OwnedModel tool;
-
-  explicit RunModels(const RunArguments& arguments)
-      : body(load_model(arguments.a, arguments.scale_a)), tool(load_model(arguments.b, arguments.scale_b)) {}
-};
-
 // How the scene of a run is made: as it was asked for. Throws Failure.
 plp_scene_options scene_options(const RunArguments& arguments, const Motion& motion);
 
-// A scene of both, which follows a motion pose by pose.
+// A scene of all, which follows a motion pose by pose.
 class Stage {
  public:
   Stage(const RunArguments& arguments, const plp_scene_options& options, const RunModels& models,
@@ -46,13 +39,13 @@ class Stage {
   plp_contacts contacts() const;  // of the newest step, valid until the next
 
  private:
-  plp_body add(const OwnedModel& model, plp_body_kind kind);
+  plp_body add(plp_model model, const plp_trace_body& recorded);
   void follow_settings(const plp_trace_tick& tick);
 
   const RunArguments& arguments_;
   const Motion& motion_;
   OwnedScene scene_;
-  plp_body body_ = 0;
+  std::vector<plp_body> bodies_;  // in the motion's order
   plp_body tool_ = 0;
 };
 

@@ -144,6 +144,8 @@ Arguments prepared(const Words& words) {
   if (!words.experiment.empty()) arguments = experiment(words.experiment, words.models);
   if (words.replay.empty()) return arguments;
   arguments.replay = std::make_shared<const cli::Motion>(words.replay);
+  if (arguments.replay->bodies().size() != 2)
+    throw cli::Failure(words.replay + ": is of more bodies than a tool and one other");
   if (arguments.replay->recorded()) arguments.settings = settings_of(arguments.replay->options());
   return arguments;
 }

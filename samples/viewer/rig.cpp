@@ -50,10 +50,12 @@ Rig::Rig(const Content& content) : settings_(content.arguments.settings) {
   check(plp_scene_create(&options, scene_.receive()));
   const cli::Motion* replay = content.arguments.replay.get();
   if (replay && replay->recorded()) recorded_ = settings_of(replay->options());
-  const cli::Motion none;
-  const cli::Motion& motion = replay ? *replay : none;
-  body_ = add(*content.scene, motion.body_options(PLP_BODY_STATIC), {});
-  tool_ = add(*content.tool, motion.body_options(PLP_BODY_TOOL), content.place.start);
+  for (const plp_trace_body& recorded : replay ? replay->bodies() : cli::body_and_tool()) {
+    const bool tool = recorded.kind == PLP_BODY_TOOL;
+    bodies_.push_back(add(tool ? *content.tool : *content.scene, cli::body_options(recorded),
+                          tool ? content.place.start : Placement{}));
+    if (tool) tool_ = bodies_.back();
+  }
   if (!content.arguments.device.empty()) give_to_device(content);
 }
 
@@ -105,7 +107,7 @@ void Rig::follow(const cli::Motion& motion, std::size_t row) {
   if (!motion.recorded()) return place_tool(motion.poses()[row].pose);
   const Settings now = settings_of(motion.tick(row));
   apply(changed(settings_, std::exchange(recorded_, now), now));
-  motion.place(row, scene_.get(), body_, tool_);
+  motion.place(row, scene_.get(), bodies_);
 }
 
 void Rig::lead_hand(const Placement& from, const Placement& to, double seconds) {

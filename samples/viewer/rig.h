@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "samples/viewer/content.h"
 
@@ -60,7 +61,7 @@ class Rig {
 
   cli::OwnedScene scene_;
   OwnedDevice device_;
-  plp_body body_ = 0;
+  std::vector<plp_body> bodies_;  // in the order of a replay
   plp_body tool_ = 0;
   plp_device_mapping mapping_{};
   plp_hand_options hand_{};

@@ -24,8 +24,16 @@ class PackageTest(unittest.TestCase):
     def test_its_library_is_the_one_that_is_imported(self):
         asset, = self.root.iter("None")
         imported, = re.findall(r'const string Library = "(\w+)"', (BINDING / "src" / "Raw.cs").read_text())
-        self.assertEqual(asset.get("PackagePath"), f"runtimes/linux-x64/native/lib{imported}.so")
-        self.assertTrue(self.property("PalpateLibrary").endswith(f")../../build/release/capi/lib{imported}.so"))
+        self.assertEqual(asset.get("PackagePath"), "runtimes/linux-x64/native/")
+        self.assertEqual(asset.get("Include"), "$(PalpateNative)*.so")
+        required, = self.root.iter("Target")
+        self.assertIn(f"$(PalpateNative)lib{imported}.so", required.get("Condition"))
+
+    def test_its_folder_is_the_one_that_the_readme_makes(self):
+        folder = re.search(r"\)../../(\w+/\w+)/$", self.property("PalpateNative"))[1]
+        commands = (PROJECT / "README.md").read_text().splitlines()
+        self.assertEqual([line.split()[-1] for line in commands if line.startswith("python3 bindings/bundle/bundle.py")],
+                         [folder])
 
     def test_it_is_compiled_as_the_tests_compile_it(self):
         self.assertEqual(self.property("LangVersion"), "7.2")

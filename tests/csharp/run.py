@@ -12,7 +12,15 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-BINDING = HERE.parents[1] / "bindings" / "csharp" / "src"
+ROOT = HERE.parents[1]
+BINDING = ROOT / "bindings" / "csharp" / "src"
+GOLDEN = ROOT / "tests" / "golden"
+sys.path += [str(ROOT / "tests" / "support"), str(GOLDEN)]
+
+from commands import Failed, run  # noqa: E402  (its folder was not in the path before)
+from pip_environment import Unavailable, pip_environment  # noqa: E402
+from vector_lines import vector_lines  # noqa: E402
+
 COUNT = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 # Compiled in earnest from the first call on, so that times mean something.
 RUNTIME_CONFIG = """{"runtimeOptions": {"tfm": "netcoreapp3.1",
@@ -30,21 +38,10 @@ class Missing(Exception):
     """A runtime, or what it needs, is not there."""
 
 
-class Failed(Exception):
-    """A command failed that must not."""
-
-
 def require(*programs):
     for program in programs:
         if not shutil.which(program):
             raise Missing(f"{program} is not installed")
-
-
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    if done.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def compile_sources(target, sources, *options):
@@ -67,16 +64,18 @@ def compile_binding(folder, *options):
 def compile_all(folder, *options):
     """The binding, and the tests as a program that runs them."""
     binding = compile_binding(folder, *options)
-    return compile_sources(folder / "tests.exe", sources(HERE / "src", HERE / "plain"), f"-r:{binding}", *options)
+    return compile_sources(folder / "tests.exe", sources(HERE / "src", HERE / "plain", GOLDEN), f"-r:{binding}", *options)
 
 
 def environment(arguments, **changes):
     """What the tests are given."""
-    layout, reference = arguments.folder / "layout.txt", arguments.folder / "reference.bin"
+    layout, reference, vectors = (arguments.folder / name for name in ("layout.txt", "reference.bin", "vectors.txt"))
     layout.write_text(run(arguments.layout))
+    vectors.write_text(vector_lines())
     run(arguments.reference, arguments.models, reference)
     return dict(os.environ, LD_LIBRARY_PATH=str(arguments.library.parent), PALPATE_TEST_LAYOUT=str(layout),
-                PALPATE_TEST_REFERENCE=str(reference), PALPATE_TEST_MODELS=str(arguments.models), **changes)
+                PALPATE_TEST_REFERENCE=str(reference), PALPATE_TEST_MODELS=str(arguments.models),
+                PALPATE_TEST_VECTORS=str(vectors), **changes)
 
 
 def run_plain(arguments, *command, **changes):
@@ -92,7 +91,7 @@ def run_plain(arguments, *command, **changes):
 def mono(arguments):
     require("mono", "nunit-console")
     binding = compile_binding(arguments.folder)
-    tests = compile_sources(arguments.folder / "tests.dll", sources(HERE / "src", HERE / "domains"), "-target:library",
+    tests = compile_sources(arguments.folder / "tests.dll", sources(HERE / "src", HERE / "domains", GOLDEN), "-target:library",
                             f"-r:{binding}", "-pkg:nunit")
     report = arguments.folder / "report.xml"
     report.unlink(missing_ok=True)
@@ -110,16 +109,12 @@ def mono(arguments):
 
 
 def core_folder(arguments):
-    """Of the runtime, in an environment that is kept from one run to the next."""
-    environment_folder = arguments.folder / "env"
-    if not list(environment_folder.glob("lib/python3*/site-packages/dotnetcore2/bin/dotnet")):
-        try:
-            run(sys.executable, "-m", "venv", "--clear", environment_folder)
-            run(environment_folder / "bin" / "pip", "install", "--quiet", "--no-deps", "--retries", "1",
-                CORE_PACKAGE)
-        except Failed as error:
-            raise Missing(f"{CORE_PACKAGE} cannot be had ({str(error).splitlines()[-1]})") from None
-    folder, = environment_folder.glob("lib/python3*/site-packages/dotnetcore2/bin")
+    """Of the runtime."""
+    try:
+        python = pip_environment(arguments.folder / "env", [CORE_PACKAGE], pip_options=["--no-deps"])
+    except Unavailable as error:
+        raise Missing(str(error)) from None
+    folder, = python.parents[1].glob("lib/python3*/site-packages/dotnetcore2/bin")
     return folder
 
 

@@ -1,12 +1,16 @@
 // What a surface is apart from how it is cut.
+#define GLM_ENABLE_EXPERIMENTAL
 #include "engine/mesh/creases.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtx/quaternion.hpp>
 #include <set>
 
 #include "assets/shapes/box.h"
+#include "assets/shapes/platonic.h"
+#include "tests/force/wrench_along.h"
 #include "tests/support/models.h"
 
 namespace palpate {
@@ -62,6 +66,56 @@ TEST(Creases, KnowNoneOfPatchesWithMoreThanHundredsOfLines) {
     const auto model = make_model(drum(sides, 3));
     const Creases creases(model->mesh());
     EXPECT_EQ(creases.borders.size(), sides > Creases::kMostBorders ? 0u : 2u * sides);
+  }
+}
+
+// A cone of a thousand faces: from one to the next it turns by far less than what counts as straight.
+TriangleSoup cone(double height) {
+  constexpr std::uint32_t kSides = 1000;
+  TriangleSoup soup;
+  soup.positions = {{0, 0, height}, {0, 0, -0.5}};
+  for (std::uint32_t k = 0; k < kSides; ++k) {
+    const double angle = 2.0 * M_PI * k / kSides;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 0});
+    soup.triangles.push_back({0, 2 + k, 2 + (k + 1) % kSides});
+    soup.triangles.push_back({1, 2 + (k + 1) % kSides, 2 + k});
+  }
+  return soup;
+}
+
+TEST(Creases, TakeATipForACornerHoweverSlightlyItsFacesTurn) {
+  for (const double height : {0.0, 1e-5, 1e-3, 1e-2, -1e-3}) {
+    const auto model = make_model(cone(height));
+    const Creases creases(model->mesh());
+    std::uint32_t tip = 0;
+    for (std::uint32_t v = 0; v < model->mesh().positions.size(); ++v) {
+      const DVec3 position = model->mesh().position(v);
+      if (position.x == 0 && position.y == 0 && model->mesh().frame.metres(position).z > -0.4) tip = v;
+    }
+    EXPECT_EQ(creases.is_corner(tip), std::abs(height) > 1e-4) << height;
+  }
+}
+
+// The force of a corner that passes over the tip does not vanish there, and does not jump from side to side
+// of a dent.
+TEST(Creases, OfACommonTipLetTheForcePass) {
+  constexpr double kCutoff = 0.05;
+  const auto corner = make_model(shapes::tetrahedron(0.1));
+  const DVec3 lowest = corner->mesh().frame.metres(corner->mesh().position(0));
+  constexpr int kSteps = 16;
+  for (const double height : {1e-3, -1e-2}) {
+    const auto model = make_model(cone(height));
+    const DMat3 down = glm::mat3_cast(glm::rotation(glm::normalize(lowest), DVec3(0, 0, -1)));
+    const Motion over = [&](double t) {
+      return Pose{down, DVec3(1e-3 * (t - 0.5), 1.7e-4 * (t - 0.5), height + 0.4 * kCutoff) - down * lowest};
+    };
+    const auto wrenches = wrenches_along(*model, *corner, over, kSteps, kCutoff, ForceLaw::kSmooth);
+    for (const Wrench& wrench : wrenches) EXPECT_NEAR(wrench.force.z, 0.6, 0.02) << height;
+    for (int i = 0; i < kSteps; ++i)
+      EXPECT_LT(jump_between(*model, *corner, over, i / double(kSteps), (i + 1) / double(kSteps), kCutoff,
+                             ForceLaw::kSmooth),
+                1e-4)
+          << height;
   }
 }
 

@@ -92,6 +92,19 @@ TEST(Bodies, WithoutANameHaveThatOfTheirMesh) {
   EXPECT_TRUE(found.bodies[1].tool);
 }
 
+TEST(Bodies, ToolIsFoundByItsIndexUnlessANodeIsCalledSo) {
+  GltfBuilder builder = no_nodes();
+  builder.add_node({{"mesh", 0}});
+  builder.add_node({{"name", "pen"}, {"mesh", 0}});
+  builder.add_node({{"name", "pen"}, {"mesh", 0}});
+  EXPECT_TRUE(good(builder, "/nodes/0").bodies[0].tool);
+  EXPECT_TRUE(good(builder, "/nodes/2").bodies[2].tool);
+  builder.add_node({{"name", "/nodes/2"}, {"mesh", 0}});
+  const GltfBodies named = good(builder, "/nodes/2");
+  EXPECT_FALSE(named.bodies[2].tool);
+  EXPECT_TRUE(named.bodies[3].tool);
+}
+
 TEST(Bodies, ShareAModelIfTheyShareMeshAndScale) {
   GltfBuilder builder = no_nodes();
   const double half = std::sqrt(0.5);

@@ -8,24 +8,21 @@ import os
 import re
 import shutil
 import struct
-import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.append(str(ROOT / "tests" / "support"))
+
+from commands import run  # noqa: E402  (its folder was not in the path before)
+
 CUTOFF = 0.003  # as in scripts/tests.gd
 TOLERANCE = 1e-6  # of force and torque, relative
 FRAME = re.compile(r"^frame (\d+): x (\S+) y (\S+), (\d+) contacts, force (\S+) (\S+) (\S+), overlap (\w+)$",
                    re.MULTILINE)
 OUTCOME = re.compile(r"^(passed|failed) (test_\w+) (.*)$", re.MULTILINE)
-
-
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    assert done.returncode == 0, f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}"
-    return done.stdout
 
 
 def make_project(folder):

@@ -54,13 +54,15 @@ class Surface {
   // u·N over the length of N, the angle-weighted pseudonormal; 1 where the outward test is skipped.
   double outwardness(Place place, const DVec3& u) const;
 
+  // The surface is open or double-sided there.
+  bool skips_outward_test(Place place) const;
+
  private:
   struct EdgeRecord {
     std::vector<TriangleIndex> triangles;
     int balance = 0;  // uses forward minus uses backward
   };
   DVec3 pseudonormal(Place place) const;
-  bool skips_outward_test(Place place) const;
 
   const Mesh& mesh_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edge_between_;

@@ -12,8 +12,23 @@ from pathlib import Path
 
 LIBRARY = Path(os.environ["PALPATE_LIBRARY"])
 MODELS = Path(os.environ["PALPATE_MODELS"])
-SOURCES = Path(__file__).resolve().parents[2] / "bindings" / "python"
+BINDINGS = Path(__file__).resolve().parents[2] / "bindings"
+# A sanitized library is for this machine, whose sanitizers it needs.
+SANITIZED = "LD_PRELOAD" in os.environ
+# What every Linux has, beside the loader and what Python itself brought.
+SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libstdc\+\+|libgcc_s)[-.\d]*\.so[.\d]*$")
 QUERY = """
+import ctypes
+try:
+    import numpy
+except ImportError:
+    pass
+
+def mapped():
+    with open("/proc/self/maps") as maps:
+        return {line.split()[5] for line in maps if ".so" in line}
+
+before = mapped()
 import palpate
 corners = [[x, y, z] for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)]
 triangles = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
@@ -21,6 +36,11 @@ triangles = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
 box = palpate.Model.from_arrays(corners, triangles)
 print(round(palpate.query(box, box, (1.1, 0, 0, 0, 0, 0, 1), 0.2).wrench.force[0], 6))
 print(palpate._raw._library._name)
+scene = palpate.Scene(0.2)
+scene.add(box)
+scene.add(box, (1.1, 0, 0, 0, 0, 0, 1), "tool")
+assert scene.step().set_count == 1
+print(*sorted(mapped() - before), sep="\\n")
 """
 # A project in place of the real one, which would take minutes: its target palpate is the library of this build.
 CMAKE_LISTS = f"""cmake_minimum_required(VERSION 3.25)
@@ -48,21 +68,30 @@ class InstallTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
         self.tree = self.folder / "tree"
-        shutil.copytree(SOURCES, self.tree / "bindings" / "python",
-                        ignore=shutil.ignore_patterns("*.so*", "__pycache__", "build", "*.egg-info"))
+        for part in ("python", "bundle"):
+            shutil.copytree(BINDINGS / part, self.tree / "bindings" / part,
+                            ignore=shutil.ignore_patterns("*.so*", "__pycache__", "build", "*.egg-info"))
 
-    def pip_wheel(self, **environment):
+    def pip_wheel(self, bundle=not SANITIZED, **environment):
+        """Bundled where that is looked at, because it takes a while."""
+        environment |= {} if bundle else {"PALPATE_BUNDLE": "0"}
         return subprocess.run(
             [self.python, "-m", "pip", "wheel", "--no-index", "--no-build-isolation", "--no-deps", "--wheel-dir",
              self.folder, self.tree / "bindings" / "python"],
             env=plain_environment(**environment), cwd=self.folder, capture_output=True, text=True)
 
-    def assert_wheel_has_library(self, done):
+    def assert_wheel_has_library(self, done, bundle=not SANITIZED):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         wheel, = self.folder.glob("*.whl")
         with zipfile.ZipFile(wheel) as archive:
-            self.assertEqual(archive.read("palpate/libpalpate.so"), LIBRARY.read_bytes())
-            self.assertIn("palpate/py.typed", archive.namelist())
+            library, names = archive.read("palpate/libpalpate.so"), archive.namelist()
+            self.assertIn("palpate/py.typed", names)
+            if bundle:
+                self.assertIn("palpate/libembree3.so", names)
+                self.assertIn("# libembree", archive.read("palpate/THIRD_PARTY_NOTICES.md").decode())
+            else:
+                self.assertEqual(library, LIBRARY.read_bytes())
+                self.assertNotIn("palpate/libembree3.so", names)
         return wheel
 
     def test_an_installed_package_works_away_from_the_tree(self):
@@ -74,15 +103,31 @@ class InstallTest(unittest.TestCase):
         preload = {name: os.environ[name] for name in ("LD_PRELOAD",) if name in os.environ}
         done = subprocess.run([self.python, "-c", QUERY], env=plain_environment(**preload), cwd=self.folder,
                               capture_output=True, text=True)
-        force, name = done.stdout.split()
-        self.assertEqual(float(force), 100.0, done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        force, name, *mapped = done.stdout.split()
+        self.assertEqual(float(force), 100.0)
         self.assertTrue(Path(name).is_relative_to(self.environment), name)
+        if not SANITIZED:
+            self.assert_libraries_stand_alone(Path(name).parent, mapped)
         self.assert_readme_example_runs(plain_environment(**preload))
+
+    def assert_libraries_stand_alone(self, package, mapped):
+        """What the package loads is in it, or is a system's; so is what any of its libraries asks for."""
+        self.assertIn(str(package / "libembree3.so"), mapped)
+        outside = [path for path in mapped if not Path(path).is_relative_to(package) and "/lib-dynload/" not in path]
+        self.assertEqual([path for path in outside if not SYSTEM.match(Path(path).name)], [])
+        own = {path.name for path in package.glob("*.so")}
+        for library in sorted(own):
+            dynamic = subprocess.run(["readelf", "--dynamic", "--wide", package / library], check=True,
+                                     capture_output=True, text=True).stdout
+            for needed in re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic):
+                self.assertTrue(needed in own or SYSTEM.match(needed), f"{library} needs {needed}")
+            self.assertRegex(dynamic, r"\(RUNPATH\).*\[\$ORIGIN\]", library)
 
     def assert_readme_example_runs(self, environment):
         """The example of README.md, in a folder with nothing but its two models."""
         program, said = re.search(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$",
-                                  (SOURCES.parents[1] / "README.md").read_text(), re.DOTALL | re.MULTILINE).groups()
+                                  (BINDINGS.parent / "README.md").read_text(), re.DOTALL | re.MULTILINE).groups()
         clean = self.folder / "clean"
         clean.mkdir()
         for model in re.findall(r"\w+\.glb", program):
@@ -94,12 +139,20 @@ class InstallTest(unittest.TestCase):
         built = self.tree / "build" / "release" / "capi"
         built.mkdir(parents=True)
         shutil.copy(LIBRARY, built / "libpalpate.so")
-        self.assert_wheel_has_library(self.pip_wheel())
+        self.assert_wheel_has_library(self.pip_wheel(bundle=False), bundle=False)
 
     def test_without_a_build_the_project_is_built(self):
         (self.tree / "capi").mkdir()
         (self.tree / "CMakeLists.txt").write_text(CMAKE_LISTS)
-        self.assert_wheel_has_library(self.pip_wheel())
+        self.assert_wheel_has_library(self.pip_wheel(bundle=False), bundle=False)
+
+    @unittest.skipIf(SANITIZED, "a sanitized library is not bundled")
+    def test_without_the_tools_to_bundle_the_error_says_what_to_do(self):
+        empty = self.folder / "empty"
+        empty.mkdir()
+        done = self.pip_wheel(True, PALPATE_LIBRARY=str(LIBRARY), PATH=str(empty))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stdout + done.stderr, "is not installed. With PALPATE_BUNDLE=0")
 
     def test_without_a_project_the_error_says_what_to_do(self):
         done = self.pip_wheel()

@@ -16,13 +16,16 @@ def main():
         # Importing it now fails as if it were not installed.
         sys.modules["numpy"] = None
     elif importlib.util.find_spec("numpy") is None:
-        print("skipped: numpy is not installed" if arguments.needs_numpy else "numpy is not installed: tested without")
+        print("Python with numpy: skipped: numpy is not installed" if arguments.needs_numpy else
+              "numpy is not installed: tested without")
         if arguments.needs_numpy:
             return
     result = unittest.main(module=arguments.module, argv=["run.py"], verbosity=2, exit=False).result
     failed, skipped = len(result.failures) + len(result.errors), len(result.skipped)
     flavour = "Python without numpy" if arguments.without_numpy else "Python"
     print(f"{flavour}: {result.testsRun - failed - skipped} passed, {failed} failed")
+    for test, why in result.skipped:
+        print(f"{flavour}, {test.id()}: skipped: {why}")
     sys.exit(not result.wasSuccessful())
 
 

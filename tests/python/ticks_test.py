@@ -12,7 +12,8 @@ import palpate
 from palpate import _raw
 
 MODELS = Path(os.environ["PALPATE_MODELS"])
-CALLS = 5000
+BATCHES = 50
+CALLS = 200  # of each
 TICK = struct.Struct("<7dQ7d")
 
 
@@ -30,10 +31,14 @@ class Reference:
 
 
 def nanoseconds(function):
-    start = time.perf_counter_ns()
-    for _ in range(CALLS):
-        function()
-    return (time.perf_counter_ns() - start) // CALLS
+    """Of the quickest batch, which other work of the machine disturbed least."""
+    def batch():
+        start = time.perf_counter_ns()
+        for _ in range(CALLS):
+            function()
+        return time.perf_counter_ns() - start
+
+    return min(batch() for _ in range(BATCHES)) // CALLS
 
 
 class TicksTest(unittest.TestCase):
@@ -94,5 +99,5 @@ class TicksTest(unittest.TestCase):
             call, raw = nanoseconds(_raw.plp_version), nanoseconds(lambda: _raw.plp_scene_step(scene._handle))
             step, ticked = nanoseconds(lambda: scene.step().wrench), nanoseconds(tick)
             print(f"ns: a call {call}; alone in a scene, the step of C {raw}, step and wrench {step}, "
-                  f"pose, step and wrench {ticked}")
+                  f"pose, step and wrench {ticked}; of its own {step - raw} a step")
             self.assertEqual(tick().force, (0, 0, 0))

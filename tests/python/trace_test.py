@@ -1,11 +1,14 @@
 """Traces: recorded, read, replayed."""
 
+import csv
+import os
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 import palpate
-from shapes import beside, box
+from shapes import beside, box, gltf
 
 
 class TraceTest(unittest.TestCase):
@@ -86,6 +89,61 @@ class TraceTest(unittest.TestCase):
             again = palpate.Trace(self.again)
             self.assertEqual([tick.wrench for tick in again], [wrench for wrench, *_ in self.told])
             self.assertEqual([tick.tool_pose for tick in again], [tick.tool_pose for tick in trace])
+
+    def record_room(self, **with_tool):
+        """A wall and a shelf of one file, and a tool; the path of the file and the wrenches."""
+        nodes = [{"name": "wall", "mesh": 0, "children": [1], "extras": {"stiffness": 300}},
+                 {"name": "shelf", "mesh": 0, "translation": [0, 1.2, 0], "scale": [1, 0.5, 1]},
+                 {"name": "pen", "mesh": 0, "translation": [1.3, 0, 0]}]
+        path = self.path.with_name("room.gltf")
+        path.write_bytes(gltf(nodes=nodes, scenes=[{"nodes": [0, 2] if with_tool else [0]}]))
+        with palpate.Scene(0.2, 500.0, friction=0.1) as scene:
+            bodies = scene.load_gltf(path, **with_tool)
+            tool = bodies[-1] if with_tool else scene.add(box(), kind="tool")
+            scene.record(self.path)
+            wrenches = []
+            for i in range(60):
+                tool.pose = (1.2 - 0.002 * i, 0.01 * i, 0.05, 0.01 * i, 0.1, 0, 1)
+                bodies[1].pose = beside(0.001 * i, 1.2)
+                wrenches.append(scene.step().wrench)
+            scene.stop_recording()
+        self.assertGreater(sum(any(wrench.force) for wrench in wrenches), 40)
+        return path, wrenches
+
+    @unittest.skipUnless(os.environ.get("PALPATE_CLI"), "the command-line tool is not built")
+    def test_the_command_line_replays_a_scene(self):
+        def run(*arguments):
+            return subprocess.run([os.environ["PALPATE_CLI"], "run", *arguments], capture_output=True, text=True)
+
+        def wrenches_of(*arguments):
+            """Of the steps, by their own trace, which has all bits."""
+            done = run(*arguments, "--record", self.again)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with palpate.Trace(self.again) as trace:
+                return [tick.wrench for tick in trace]
+
+        path, told = self.record_room(tool="pen")
+        with palpate.Trace(self.path) as trace:
+            self.assertEqual([body.model_name for body in trace.bodies], [f"room.gltf#/nodes/{i}" for i in range(3)])
+        self.assertEqual(wrenches_of(path, "--trajectory", self.path), told)
+        third = self.path.with_name("third.trace")
+        self.again.rename(third)
+        self.assertEqual(wrenches_of(path, "--trajectory", third), told)
+        self.assertNotEqual(wrenches_of(path, "--trajectory", self.path, "--mode", "descent", "--friction", "0"), told)
+        self.assertIn("node of the scene", run(path, path, "--trajectory", self.path).stderr)
+        other = self.path.with_name("other.gltf")
+        other.write_bytes(gltf(nodes=[{"mesh": 0}, {}, {"mesh": 0}], scenes=[{"nodes": [0, 1, 2]}]))
+        self.assertIn("/nodes/1", run(other, "--trajectory", self.path).stderr)
+
+        path, told = self.record_room()
+        model = self.path.with_name("box.gltf")
+        model.write_bytes(gltf())
+        self.assertEqual(wrenches_of(path, model, "--trajectory", self.path), told)
+        self.assertIn("its tool is no node", run(path, "--trajectory", self.path).stderr)
+        poses = self.path.with_name("poses.csv")
+        with open(poses, "w", newline="") as file:
+            csv.writer(file).writerows(["t px py pz qx qy qz qw".split(), [0, 0, 0, 0, 0, 0, 0, 1]])
+        self.assertIn("is missing", run(model, "--trajectory", poses, "--cutoff", "1").stderr)
 
     def test_what_cannot_be(self):
         with palpate.Scene(0.2) as scene:

@@ -6,10 +6,13 @@ import argparse
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+
+from commands import run  # noqa: E402  (its folder was not in the path before)
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\[[^\]]*\]\(([^)#:]+)\)")
@@ -25,12 +28,6 @@ def examples(readme, language):
     return found
 
 
-def run(command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    assert done.returncode == 0, f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}"
-    return done.stdout
-
-
 def expect_output(printed, said):
     assert printed == said, f"README.md says:\n{said}\nbut the example prints:\n{printed}"
 
@@ -39,10 +36,10 @@ def c(arguments, readme, folder):
     program = folder / "example"
     for code, said in examples(readme, "c"):
         (folder / "example.c").write_text(code)
-        run(["cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", *arguments.compiler_flags.split(),
-             folder / "example.c", "-o", program, "-I", arguments.root / "capi" / "include", arguments.library,
-             f"-Wl,-rpath,{arguments.library.parent}"])
-        expect_output(run([program], cwd=arguments.models), said)
+        run("cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", *arguments.compiler_flags.split(),
+            folder / "example.c", "-o", program, "-I", arguments.root / "capi" / "include", arguments.library,
+            f"-Wl,-rpath,{arguments.library.parent}")
+        expect_output(run(program, cwd=arguments.models), said)
 
 
 def python_environment(arguments):
@@ -50,7 +47,7 @@ def python_environment(arguments):
     environment = dict(os.environ, PYTHONPATH=str(arguments.root / "bindings" / "python" / "src"),
                        PALPATE_LIBRARY=str(arguments.library))
     if "-fsanitize=address" in arguments.compiler_flags:
-        runtime = run(["cc", "-print-file-name=libasan.so"]).strip()
+        runtime = run("cc", "-print-file-name=libasan.so").strip()
         # Python keeps what it allocates for modules until it ends: leaks are looked for in the tests of the C interface.
         environment.update(LD_PRELOAD=runtime, ASAN_OPTIONS="detect_leaks=0")
     return environment
@@ -59,21 +56,24 @@ def python_environment(arguments):
 def python(arguments, readme, folder):
     for code, said in examples(readme, "python"):
         (folder / "example.py").write_text(code)
-        expect_output(run([sys.executable, "-B", folder / "example.py"], cwd=arguments.models,
+        expect_output(run(sys.executable, "-B", folder / "example.py", cwd=arguments.models,
                           env=python_environment(arguments)), said)
 
 
 def csharp(arguments, readme, folder):
-    binding = sorted((arguments.root / "bindings" / "csharp" / "src").glob("*.cs"))
+    """From the installed sources and library, in a folder with nothing but the program and its models."""
+    if not (shutil.which("mcs") and shutil.which("mono")):
+        print("C# of README.md: skipped: mcs or mono is not installed")
+        return
+    binding = sorted((arguments.prefix / "share" / "palpate" / "csharp").glob("*.cs"))
+    library, = arguments.prefix.glob("lib*/**/libpalpate.so")
     for code, said in examples(readme, "csharp"):
         (folder / "Example.cs").write_text(code)
-        if not (shutil.which("mcs") and shutil.which("mono")):
-            print("C# of README.md: skipped: mcs or mono is not installed")
-            return
-        run(["mcs", "-langversion:7.2", "-unsafe", "-warnaserror", f"-out:{folder / 'example.exe'}", *binding,
-             folder / "Example.cs"])
-        expect_output(run(["mono", folder / "example.exe"], cwd=arguments.models,
-                          env=dict(os.environ, LD_LIBRARY_PATH=str(arguments.library.parent))), said)
+        for model in re.findall(r"\w+\.glb", code):
+            shutil.copy(arguments.models / model, folder)
+        run("mcs", "-langversion:7.2", "-unsafe", "-warnaserror", "-out:example.exe", *binding, "Example.cs", cwd=folder)
+        expect_output(run("mono", "example.exe", cwd=folder, env=dict(os.environ, LD_LIBRARY_PATH=str(library.parent))),
+                      said)
 
 
 def commands(arguments, readme, folder):
@@ -81,7 +81,7 @@ def commands(arguments, readme, folder):
     first = FENCE.search(readme).group(2)
     for command in COMMANDS:
         assert command in first, f"the first block of README.md lacks: {command}"
-        run(["bash", arguments.root / command.split()[1], "--help"])
+        run("bash", arguments.root / command.split()[1], "--help")
 
 
 def links(arguments, readme, folder):
@@ -100,6 +100,7 @@ def main():
     parser.add_argument("--root", type=Path, required=True)
     parser.add_argument("--library", type=Path, required=True)
     parser.add_argument("--models", type=Path, required=True)
+    parser.add_argument("--prefix", type=Path, help="of an installed Palpate")
     parser.add_argument("--compiler-flags", default="")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="palpate-readme-") as folder:

@@ -1,7 +1,9 @@
 // Poses and shapes at the edge of what numbers can say: nothing but finite answers comes back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "assets/shapes/box.h"
 #include "assets/shapes/platonic.h"
@@ -41,6 +43,34 @@ TEST(Degenerate, GapsDownToAFewUlpsAreFoundOrTouch) {
       if (gap >= 1e-12 && found.set_count == 1) {
         EXPECT_NEAR(found.lmds[0].distance, gap, 1e-15 + 1e-6 * gap);
       }
+    }
+  }
+}
+
+// A ridge along x, and one that is upside down over it.
+TriangleSoup ridge() {
+  return {{{-1, 0, 0}, {-1, 1, -1}, {-1, -1, -1}, {1, 0, 0}, {1, 1, -1}, {1, -1, -1}},
+          {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}},
+          {}};
+}
+
+TEST(Degenerate, EdgesThatAreNearlyParallelAreNearestWhereTheyCross) {
+  const auto model = make_model(ridge());
+  const DMat3 over = turned({1, 0, 0}, std::numbers::pi).rotation;
+  Random random(12);
+  for (double angle : {1e-6, 1e-8, 2e-9, 5e-10, 1e-10, 1e-11, 1e-12}) {
+    for (int i = 0; i < 20; ++i) {
+      // So near that the ends, which are beside each other, are much farther apart.
+      const double gap = angle * random.uniform(0.1, 1.0), at = random.uniform(-0.5, 0.5);
+      const DMat3 yaw = turned({0, 0, 1}, angle).rotation;
+      const LmdSet found = find_lmds(*model, *model, {yaw * over, {at, 0, gap}}, 0.01);
+      // Ends may be minima, too, by the tolerance of what is parallel; the nearest of all is the crossing.
+      ASSERT_GE(found.set_count, 1u) << "angle " << angle << " gap " << gap;
+      const Lmd nearest =
+          *std::min_element(found.lmds.begin(), found.lmds.end(),
+                            [](const Lmd& one, const Lmd& other) { return one.distance < other.distance; });
+      EXPECT_NEAR(nearest.distance, gap, 1e-15 + 1e-6 * gap) << "angle " << angle;
+      EXPECT_NEAR(nearest.point_a.x, at, 0.05) << "angle " << angle;
     }
   }
 }

@@ -1,5 +1,5 @@
-# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh and samples/run.sh source
-# this file.
+# The Debian 12 packages that Palpate needs, stated once; tests/run.sh, tests/bench/run.sh, tests/stress/run.sh and
+# samples/run.sh source this file.
 
 palpate_build_packages=(
   g++ cmake ninja-build
@@ -12,7 +12,7 @@ palpate_viewer_packages=(
   libgl1 libgl1-mesa-dri libegl-mesa0 fonts-dejavu-core
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 binutils make patchelf libumockdev-dev
+  libgtest-dev clang-format-14 abigail-tools doxygen binutils make patchelf libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mypy python3-matplotlib python3-scipy
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
@@ -21,7 +21,9 @@ palpate_test_packages=(
 # Making packages that hold the library and all that it needs.
 palpate_package_packages=(binutils patchelf python3)
 palpate_fuzz_packages=(clang-14 libclang-rt-14-dev)
+palpate_analysis_packages=(clang-tidy-14 cppcheck valgrind)
 palpate_bench_packages=(libfcl-dev libbullet-dev)
+palpate_stress_packages=(libfcl-dev)
 
 missing_packages() {
   local package

@@ -13,17 +13,11 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 PLAIN = ROOT / "tests" / "csharp" / "plain"
+GOLDEN = ROOT / "tests" / "golden"
+sys.path += [str(ROOT / "tests" / "support"), str(GOLDEN)]
 
-
-class Failed(Exception):
-    """A command failed that must not."""
-
-
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    if done.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
-    return done.stdout
+from commands import Failed, run  # noqa: E402  (its folder was not in the path before)
+from vector_lines import vector_lines  # noqa: E402
 
 
 def compile_sources(target, sources, references, *options):
@@ -51,7 +45,7 @@ def compile_package(package, folder):
     built = {"UnityEngine": compile_sources(folder / "UnityEngine.dll", sorted((HERE / "stub").glob("*.cs")), [])}
     for path in ("Runtime/Binding/Palpate.asmdef", "Runtime/Palpate.Haptics.asmdef", "Editor/Palpate.Haptics.Editor.asmdef"):
         compile_assembly(package / path, folder, built)
-    sources = [*sorted((HERE / "src").glob("*.cs")), *sorted(PLAIN.glob("*.cs")),
+    sources = [*sorted((HERE / "src").glob("*.cs")), *sorted(PLAIN.glob("*.cs")), *sorted(GOLDEN.glob("*.cs")),
                *sorted((package / "Samples~").rglob("*.cs"))]
     return compile_sources(folder / "tests.exe", sources, built.values())
 
@@ -81,9 +75,12 @@ def main():
     except Failed as error:
         print(error)
         return 1
+    vectors = arguments.folder / "vectors.txt"
+    vectors.write_text(vector_lines())
     plugins = package / "Runtime" / "Plugins" / "x86_64"
     done = subprocess.run(["mono", program], text=True, stdout=subprocess.PIPE, env=dict(
-        os.environ, LD_LIBRARY_PATH=str(plugins), PALPATE_TEST_MODELS=str(arguments.models)))
+        os.environ, LD_LIBRARY_PATH=str(plugins), PALPATE_TEST_MODELS=str(arguments.models),
+        PALPATE_TEST_VECTORS=str(vectors)))
     # The runner's last line is its count.
     print(re.sub(r"^(?=\d+ passed, \d+ failed$)", "Unity package under Mono: ", done.stdout, flags=re.MULTILINE))
     return done.returncode

@@ -155,6 +155,6 @@ namespace Palpate
 
         public void Remove() => Scene.Check(Raw.plp_scene_remove_body(Scene.Handle, Id));
 
-        private Scene Scene => scene ?? throw new InvalidOperationException("This body belongs to no scene.");
+        internal Scene Scene => scene ?? throw new InvalidOperationException("This body belongs to no scene.");
     }
 }

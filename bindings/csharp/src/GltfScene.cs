@@ -16,7 +16,8 @@ namespace Palpate
             }
         }
 
-        /// <summary>Name of the node that is the tool, with all that is below it; null: no tool.</summary>
+        /// <summary>Name of the node that is the tool, with all that is below it; or its index, such as "/nodes/5"; null: no
+        /// tool.</summary>
         public string Tool { get; set; }
 
         /// <summary>How meshes become models, and which of the file's scenes; null for the defaults.</summary>

@@ -142,6 +142,18 @@ namespace Palpate
 
         public ModelInfo Info => new ModelInfo(GetInfo());
 
+        /// <summary>Tells models apart: the same geometry gives the same, whatever it came from.</summary>
+        public ulong Hash
+        {
+            get
+            {
+                ulong hash;
+                PalpateException.Check(Raw.plp_model_get_hash(handle.Value, &hash));
+                GC.KeepAlive(this);
+                return hash;
+            }
+        }
+
         /// <summary>One sentence about each thing that was repaired, kept or skipped.</summary>
         public string[] Notes()
         {

@@ -64,6 +64,17 @@ namespace Palpate
         protected override bool ReleaseHandle() => Raw.plp_device_release(handle) >= 0;
     }
 
+    internal sealed class TraceHandle : NativeHandle
+    {
+        internal TraceHandle(IntPtr value) : base(value)
+        {
+        }
+
+        protected override string Name => nameof(Trace);
+
+        protected override bool ReleaseHandle() => Raw.plp_trace_release(handle) >= 0;
+    }
+
     internal sealed class SceneHandle : NativeHandle
     {
         internal SceneHandle(IntPtr value) : base(value)

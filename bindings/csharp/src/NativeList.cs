@@ -7,7 +7,7 @@ namespace Palpate
     /// <summary>An array in native memory, viewed where it is and valid as long as the Contacts it comes from.</summary>
     public readonly unsafe ref struct NativeList<T> where T : struct
     {
-        internal const string Overwritten = "These contacts were overwritten by a later search, or their owner is gone.";
+        internal const string Overwritten = "This was overwritten by a later search or step, or its owner is gone.";
 
         private readonly Outcome outcome;
         private readonly int generation;

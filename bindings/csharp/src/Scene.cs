@@ -304,6 +304,37 @@ namespace Palpate
             }
         }
 
+        /// <summary>Records every step from now on into a file that Trace reads, a servo's too, which never waits for it.
+        /// The end of the scene finishes the file.</summary>
+        public void Record(string path)
+        {
+            fixed (byte* name = Utf8.Bytes(path ?? throw new ArgumentNullException(nameof(path)), nameof(path)))
+            {
+                Check(Raw.plp_scene_record(handle.Value, name));
+            }
+        }
+
+        /// <summary>Finishes the file and tells what is in it; throws if it could not be written whole.</summary>
+        public Recording StopRecording()
+        {
+            Raw.plp_recording recording;
+            Raw.plp_recording_init(&recording, (UIntPtr)sizeof(Raw.plp_recording));
+            Check(Raw.plp_scene_stop_recording(handle.Value, &recording));
+            return new Recording(recording);
+        }
+
+        /// <summary>How the recording goes. Allocates nothing.</summary>
+        public Recording Recording
+        {
+            get
+            {
+                Raw.plp_recording recording;
+                Raw.plp_recording_init(&recording, (UIntPtr)sizeof(Raw.plp_recording));
+                Check(Raw.plp_scene_get_recording(handle.Value, &recording));
+                return new Recording(recording);
+            }
+        }
+
         public void Dispose()
         {
             ++outcome.Generation;

@@ -84,6 +84,16 @@ namespace Palpate.Unity
 
         public HapticTool Tool => tool;
 
+        /// <summary>Records every step from now on, which Trace reads and `palpate run` replays, until StopRecording or the
+        /// component's end. Only while it is enabled.</summary>
+        /// <param name="path">Such as Path.Combine(Application.persistentDataPath, "session.trace").</param>
+        public void StartRecording(string path) => Running.Record(path);
+
+        /// <summary>Finishes the file and tells what is in it.</summary>
+        public Recording StopRecording() => Running.StopRecording();
+
+        private Scene Running => native ?? throw new InvalidOperationException($"{name} is disabled.");
+
         public Contact GetContact(int index)
         {
             if ((uint)index >= (uint)ContactCount)

@@ -31,8 +31,8 @@ extern "C" {
 
 /** As XrPosef: orientation x y z w, then position; copy one into the other. */
 typedef struct plp_openxr_pose {
-  float orientation[4];
-  float position[3];
+  float orientation[4]; /**< quaternion x y z w */
+  float position[3];    /**< metres */
 } plp_openxr_pose;
 
 /** @brief The product a·b of two quaternions, b first. @since 0.1 */
@@ -184,8 +184,8 @@ static inline plp_openxr_vibration_options plp_openxr_vibration_defaults(void) {
 
 /** What is remembered from one frame to the next; begin with zeros. */
 typedef struct plp_openxr_touch {
-  int32_t touching; /**< 1: something pushes or overlaps */
-  int32_t reserved;
+  int32_t touching;  /**< 1: something pushes or overlaps */
+  int32_t reserved;  /**< 0 */
   double tick_until; /**< s: the tick goes on until then */
 } plp_openxr_touch;
 

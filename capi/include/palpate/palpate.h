@@ -35,6 +35,7 @@
 extern "C" {
 #endif
 
+/** What makes a function leave the shared library, or come from it; nothing with PLP_STATIC. */
 #if defined(PLP_STATIC)
 #define PLP_API
 #elif defined(_WIN32)
@@ -50,8 +51,11 @@ extern "C" {
 /* ------------------------------------------------------------------------------------------------ versions,
  * errors */
 
+/** Version of this header. Another one is another interface: see capi/ABI.md. */
 #define PLP_VERSION_MAJOR 0
+/** Version of this header. Grows with what is added. */
 #define PLP_VERSION_MINOR 1
+/** Version of this header. Grows with what is mended. */
 #define PLP_VERSION_PATCH 0
 
 /** The outcome of a call: see the PLP_OK, PLP_REMARK_* and PLP_ERROR_* values. */
@@ -120,14 +124,14 @@ PLP_API void plp_set_log_callback(plp_log_callback callback, void* user);
 /** A rigid pose: x ↦ rotate(orientation, x) + position. `orientation` is a quaternion x y z w; it is
  * normalised by this library and must be finite and not zero. */
 typedef struct plp_pose {
-  double position[3];
-  double orientation[4];
+  double position[3];    /**< metres, or units of a space */
+  double orientation[4]; /**< quaternion x y z w */
 } plp_pose;
 
 /** A force in newtons and a torque in newton-metres about a point that the producing function states. */
 typedef struct plp_wrench {
-  double force[3];
-  double torque[3];
+  double force[3];  /**< N */
+  double torque[3]; /**< N·m */
 } plp_wrench;
 
 /** The space that a scene's poses, points and wrenches are given in. `axes[i]` says along which Palpate axis
@@ -137,7 +141,7 @@ typedef struct plp_wrench {
  * 2} with 0.01 metres per unit is Unreal. Forces stay in
  * newtons and torques in newton-metres; under a mirror torques turn as the pseudo-vectors they are. */
 typedef struct plp_space {
-  int32_t axes[3];
+  int32_t axes[3];        /**< ±1, ±2 or ±3, each axis once */
   int32_t reserved;       /**< 0 */
   double metres_per_unit; /**< 1e-9 to 1e9 */
 } plp_space;
@@ -150,11 +154,11 @@ typedef struct plp_model_t* plp_model;
 
 /** How a model is made from what comes. */
 typedef struct plp_model_options {
-  uint32_t struct_size;
+  uint32_t struct_size;  /**< set by plp_model_options_init() */
   uint32_t flags;        /**< PLP_MODEL_*; an unknown one is refused */
   double weld_tolerance; /**< metres; 0 welds exactly equal positions only */
   int32_t gltf_scene;    /**< index of the glTF scene; -1 for the file's default one */
-  uint32_t reserved;
+  uint32_t reserved;     /**< 0 */
   uint64_t
       max_triangles; /**< more are PLP_ERROR_LIMIT; 0 for the default of 100,000,000; at most 1,000,000,000 */
   double scale;      /**< all positions are multiplied by it before anything else; 1, or 0 for 1 */
@@ -180,7 +184,7 @@ PLP_API void plp_model_options_init(plp_model_options* options, size_t size);
 PLP_API plp_result plp_model_load_file(const char* path, const plp_model_options* options, plp_model* model);
 
 /**
- * @brief The same from the bytes of a .gltf or .glb file. The bytes are not kept.
+ * @brief The same from the bytes of a .gltf or .glb file. The bytes are not kept. Release the model.
  * @param data the bytes, `size` of them. @param folder UTF-8; where external buffers are; null if there are
  * none.
  * @return as plp_model_load_file.
@@ -201,11 +205,11 @@ typedef enum plp_type {
 
 /** Triangles in the caller's own buffers; they are copied. */
 typedef struct plp_triangles {
-  uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t struct_size;   /**< set by plp_triangles_init() */
+  uint32_t reserved;      /**< 0 */
   const void* positions;  /**< vertex_count × 3 numbers */
   size_t position_stride; /**< bytes from one vertex to the next, any alignment; 0: tightly packed */
-  size_t vertex_count;
+  size_t vertex_count;    /**< of `positions` */
   const void*
       indices; /**< triangle_count × 3 numbers, counter-clockwise seen from outside; null: 0, 1, 2, … */
   size_t index_stride;    /**< bytes from one triangle to the next; 0: tightly packed */
@@ -220,7 +224,8 @@ typedef struct plp_triangles {
 PLP_API void plp_triangles_init(plp_triangles* triangles, size_t size);
 
 /**
- * @brief Makes a model from triangles in the caller's memory.
+ * @brief Makes a model from triangles in the caller's memory, which is not needed any more when this returns.
+ * @param options null for the defaults. @param model receives the handle; release it.
  * @return PLP_ERROR_INVALID_ARGUMENT (also for an index out of range), _NON_FINITE, _NO_TRIANGLES, _LIMIT or
  * _OUT_OF_MEMORY.
  * @threadsafety any @since 0.1
@@ -246,9 +251,9 @@ typedef enum plp_orientation {
 
 /** Counts of a surface. Vertices are welded; edges are counted over triangles whose three corners differ. */
 typedef struct plp_surface_counts {
-  uint64_t triangles;
-  uint64_t vertices;
-  uint64_t edges;
+  uint64_t triangles;          /**< all, also those without area */
+  uint64_t vertices;           /**< welded */
+  uint64_t edges;              /**< between two vertices, however many triangles share them */
   uint64_t boundary_edges;     /**< one triangle */
   uint64_t nonmanifold_edges;  /**< more than two triangles */
   uint64_t inconsistent_edges; /**< two triangles that run the same way */
@@ -259,23 +264,23 @@ typedef struct plp_surface_counts {
 
 /** What a model is and what was done to it. */
 typedef struct plp_model_info {
-  uint32_t struct_size;
-  uint32_t note_count;         /**< for plp_model_note */
-  plp_surface_counts source;   /**< as it came, welded only */
-  plp_surface_counts searched; /**< as it is searched, after repair */
-  uint64_t stored_vertices;
-  uint64_t degenerate_triangles; /**< dropped: two equal corners or an area of exactly zero */
-  uint64_t duplicate_triangles;  /**< dropped: the three vertices of an earlier one */
-  uint64_t split_triangles;      /**< split at the middle vertex of a dropped neighbour without area */
-  uint64_t reversed_triangles;   /**< winding turned */
-  uint64_t flipped_components;   /**< closed components that faced the wrong way */
-  uint64_t double_sided_triangles;
-  double bounds_min[3]; /**< metres */
-  double bounds_max[3]; /**< metres */
-  double diagonal;      /**< metres */
-  uint64_t mesh_bytes;  /**< memory of triangles and connectivity */
-  uint64_t tree_bytes;  /**< memory of the hierarchies, one for each plp_law; 0 as long as none is built */
-  uint64_t tree_nodes;
+  uint32_t struct_size;            /**< set by plp_model_info_init() */
+  uint32_t note_count;             /**< for plp_model_note */
+  plp_surface_counts source;       /**< as it came, welded only */
+  plp_surface_counts searched;     /**< as it is searched, after repair */
+  uint64_t stored_vertices;        /**< as they came, before equal ones were welded */
+  uint64_t degenerate_triangles;   /**< dropped: two equal corners or an area of exactly zero */
+  uint64_t duplicate_triangles;    /**< dropped: the three vertices of an earlier one */
+  uint64_t split_triangles;        /**< split at the middle vertex of a dropped neighbour without area */
+  uint64_t reversed_triangles;     /**< winding turned */
+  uint64_t flipped_components;     /**< closed components that faced the wrong way */
+  uint64_t double_sided_triangles; /**< that are touched from both sides */
+  double bounds_min[3];            /**< metres */
+  double bounds_max[3];            /**< metres */
+  double diagonal;                 /**< metres */
+  uint64_t mesh_bytes;             /**< memory of triangles and connectivity */
+  uint64_t tree_bytes;    /**< memory of the hierarchies, one for each plp_law; 0 as long as none is built */
+  uint64_t tree_nodes;    /**< of all hierarchies */
   double load_us;         /**< time to read, weld and repair */
   double tree_us;         /**< time to build the hierarchies */
   uint64_t read_bytes;    /**< of the glTF and of the external buffers that its triangles need: no others are
@@ -354,17 +359,17 @@ typedef struct plp_lmd {
   uint8_t feature_b; /**< plp_feature */
   uint8_t corner_a; /**< of triangle_a as it is searched: which vertex, or which edge (k joins corners k and k
                        + 1); 0 for a face. Turning a triangle's winding exchanges two of its corners. */
-  uint8_t corner_b;
+  uint8_t corner_b; /**< the same of triangle_b */
   uint32_t triangle_a; /**< a triangle that holds the feature, as numbered in the input */
-  uint32_t triangle_b;
+  uint32_t triangle_b; /**< a triangle that holds the feature of the second model or of the tool */
 } plp_lmd;
 
 /** Two triangles that touch or cross. */
 typedef struct plp_overlap {
-  plp_body body_a;
-  plp_body body_b;
+  plp_body body_a;     /**< 0 from plp_query */
+  plp_body body_b;     /**< 0 from plp_query; else the tool */
   uint32_t triangle_a; /**< as numbered in the input */
-  uint32_t triangle_b;
+  uint32_t triangle_b; /**< as numbered in the input */
 } plp_overlap;
 
 /** Work that a search did. */
@@ -393,26 +398,26 @@ typedef enum plp_status {
 
 /** The outcome of a search. The arrays belong to the result or scene that it was read from. */
 typedef struct plp_contacts {
-  uint32_t struct_size;
-  int32_t overlap; /**< 1: surfaces touch or cross, where nothing pushes but walls, if the tool came from
-                      outside; 0 also if one body is inside another */
-  const plp_lmd* lmds;
-  size_t lmd_count;
-  size_t lmd_stride; /**< bytes from one to the next: may be more than sizeof(plp_lmd) of this header */
-  size_t set_count;  /**< LMDs, a plateau counted once */
-  const plp_overlap* overlaps;
-  size_t overlap_count;
-  size_t overlap_stride;
-  int32_t overlaps_cut; /**< 1: more pairs overlap than are listed */
-  uint32_t reserved;
-  double min_distance; /**< of the LMDs; infinite if there is none */
-  plp_wrench wrench;
-  double search_us;
-  plp_work work;
-  const plp_lmd* springs; /**< all that pushes, each with its whole force; steps by lmd_stride */
-  size_t spring_count;
-  uint32_t status; /**< PLP_STATUS_* bits; 0: all well */
-  uint32_t reserved2;
+  uint32_t struct_size; /**< set by plp_contacts_init() */
+  int32_t overlap;      /**< 1: surfaces touch or cross, where nothing pushes but walls, if the tool came from
+                           outside; 0 also if one body is inside another */
+  const plp_lmd* lmds;  /**< `lmd_count` of them, sets in order */
+  size_t lmd_count;     /**< points: of a plateau several */
+  size_t lmd_stride;    /**< bytes from one to the next: may be more than sizeof(plp_lmd) of this header */
+  size_t set_count;     /**< LMDs, a plateau counted once */
+  const plp_overlap* overlaps; /**< `overlap_count` of them */
+  size_t overlap_count;        /**< as listed, see overlaps_cut */
+  size_t overlap_stride;       /**< bytes from one to the next */
+  int32_t overlaps_cut;        /**< 1: more pairs overlap than are listed */
+  uint32_t reserved;           /**< 0 */
+  double min_distance;         /**< of the LMDs; infinite if there is none */
+  plp_wrench wrench;           /**< N and N·m of all that pushes; about which point the search says */
+  double search_us;            /**< time that the search took */
+  plp_work work;               /**< what the search did */
+  const plp_lmd* springs;      /**< all that pushes, each with its whole force; steps by lmd_stride */
+  size_t spring_count;         /**< of `springs` */
+  uint32_t status;             /**< PLP_STATUS_* bits; 0: all well */
+  uint32_t reserved2;          /**< 0 */
 } plp_contacts;
 
 /** @brief Fills `contacts` with zeros and its size. @threadsafety any @since 0.1 */
@@ -424,8 +429,8 @@ PLP_API void plp_contacts_init(plp_contacts* contacts, size_t size);
 /** Room for the outcome of plp_query; reuse one to avoid allocations. */
 typedef struct plp_query_result_t* plp_query_result;
 
-/** @brief Makes an empty result. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or
- * _OUT_OF_MEMORY.
+/** @brief Makes an empty result. @param result receives the handle; release it. @return
+ * PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_query_result_create(plp_query_result* result);
 
@@ -444,7 +449,7 @@ typedef enum plp_law {
 
 /** How plp_query searches and pushes. */
 typedef struct plp_query_options {
-  uint32_t struct_size;
+  uint32_t struct_size;      /**< set by plp_query_options_init() */
   uint32_t max_overlaps;     /**< list at most so many overlapping pairs */
   double cutoff;             /**< metres, positive: LMDs farther apart are not searched */
   double stiffness;          /**< N/m, not negative: force = stiffness × (cutoff − distance) × weight */
@@ -488,8 +493,8 @@ typedef enum plp_mode {
 
 /** How a scene is made. */
 typedef struct plp_scene_options {
-  uint32_t struct_size;
-  uint32_t max_overlaps;
+  uint32_t struct_size;  /**< set by plp_scene_options_init() */
+  uint32_t max_overlaps; /**< list at most so many overlapping pairs */
   plp_space space;       /**< of poses, points and wrenches of this scene */
   double cutoff;         /**< units of the space, positive */
   double stiffness;      /**< N/m, not negative */
@@ -525,8 +530,8 @@ typedef struct plp_scene_options {
  *  @threadsafety any @since 0.1 */
 PLP_API void plp_scene_options_init(plp_scene_options* options, size_t size);
 
-/** @brief Makes an empty scene. @return PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or
- * _OUT_OF_MEMORY.
+/** @brief Makes an empty scene. @param scene receives the handle; release it. @return
+ * PLP_ERROR_INVALID_ARGUMENT, _LIMIT (about a million) or _OUT_OF_MEMORY.
  *  @threadsafety any @since 0.1 */
 PLP_API plp_result plp_scene_create(const plp_scene_options* options, plp_scene* scene);
 
@@ -544,9 +549,9 @@ typedef enum plp_body_kind {
 
 /** How a body is added. */
 typedef struct plp_body_options {
-  uint32_t struct_size;
-  plp_body_kind kind;
-  plp_model model;
+  uint32_t struct_size; /**< set by plp_body_options_init() */
+  plp_body_kind kind;   /**< what it is in its scene */
+  plp_model model;      /**< the scene keeps a reference */
   plp_pose pose;    /**< of the model's frame in the scene's space; a mirrored space mirrors the model, too */
   double stiffness; /**< N/m against the tool; 0: the scene's */
   double reference_point[3]; /**< of the tool, its own frame, scene units: torques are about it */
@@ -623,16 +628,16 @@ PLP_API plp_result plp_scene_get_contacts(plp_scene scene, plp_contacts* contact
 
 /** What a body is. */
 typedef struct plp_body_info {
-  uint32_t struct_size;
-  plp_body_kind kind;
-  char name[256];     /**< of its node; "" if it has none; UTF-8 and terminated, cut where it is longer */
-  int32_t node;       /**< index in the glTF file that it comes from; -1: from none */
-  int32_t intangible; /**< 1: the tool passes through it */
-  plp_body above;     /**< the nearest body above it in the file's hierarchy; 0: none */
-  uint64_t triangles; /**< of its model, as it is searched */
-  double stiffness;   /**< N/m against the tool; 0: the scene's */
-  double damping;     /**< N·s/m against the tool; 0: the scene's */
-  double friction;    /**< coefficient against the tool; 0: the scene's, negative: none */
+  uint32_t struct_size; /**< set by plp_body_info_init() */
+  plp_body_kind kind;   /**< what it is in its scene */
+  char name[256];       /**< of its node; "" if it has none; UTF-8 and terminated, cut where it is longer */
+  int32_t node;         /**< index in the glTF file that it comes from; -1: from none */
+  int32_t intangible;   /**< 1: the tool passes through it */
+  plp_body above;       /**< the nearest body above it in the file's hierarchy; 0: none */
+  uint64_t triangles;   /**< of its model, as it is searched */
+  double stiffness;     /**< N/m against the tool; 0: the scene's */
+  double damping;       /**< N·s/m against the tool; 0: the scene's */
+  double friction;      /**< coefficient against the tool; 0: the scene's, negative: none */
 } plp_body_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
@@ -664,11 +669,12 @@ PLP_API plp_result plp_scene_get_body_model(plp_scene scene, plp_body body, plp_
 
 /** How plp_scene_load_gltf takes a file into a scene. */
 typedef struct plp_gltf_scene_options {
-  uint32_t struct_size;
+  uint32_t struct_size;           /**< set by plp_gltf_scene_options_init() */
   uint32_t flags;                 /**< 0; others are refused */
   const plp_model_options* model; /**< how meshes become models, and which of the file's scenes; null for the
                                      defaults. Its max_triangles counts a shared mesh for every node. */
-  const char* tool; /**< UTF-8: name of the node that is the tool, with all that is below it; null: no tool */
+  const char* tool; /**< UTF-8: name of the node that is the tool, with all that is below it; or, such as
+                       "/nodes/5", its index in the file, if no node is called so; null: no tool */
   plp_pose pose;    /**< of the file's scene in this scene's space */
   double cutoff;    /**< the scene's from now on, units of its space, positive; 0: as it is */
 } plp_gltf_scene_options;
@@ -724,11 +730,11 @@ PLP_API plp_result plp_scene_get_node_matrix(plp_scene scene, plp_body body, dou
 
 /** How the servo of a scene runs. */
 typedef struct plp_servo_options {
-  uint32_t struct_size;
-  uint32_t flags;   /**< 0; others are refused */
-  double rate;      /**< steps a second, 1 to 20000; 0 for 1000 */
-  int32_t priority; /**< of SCHED_FIFO, 1 to 99; 0: a usual one; -1: none. Only if the system allows. */
-  int32_t cpu;      /**< the only one that it runs on, if the system allows; -1: any */
+  uint32_t struct_size; /**< set by plp_servo_options_init() */
+  uint32_t flags;       /**< 0; others are refused */
+  double rate;          /**< steps a second, 1 to 20000; 0 for 1000 */
+  int32_t priority;     /**< of SCHED_FIFO, 1 to 99; 0: a usual one; -1: none. Only if the system allows. */
+  int32_t cpu;          /**< the only one that it runs on, if the system allows; -1: any */
 } plp_servo_options;
 
 /** @brief Fills `options`: 1000 steps a second, real-time priority if the system allows, any processor.
@@ -762,7 +768,7 @@ PLP_API plp_result plp_scene_stop(plp_scene scene);
 /** How a servo runs or, if it was stopped, ran. Times are in microseconds: the 50th, 99th and 99.9th
  * percentile, which may be an eighth too long, and the maximum. */
 typedef struct plp_servo_state {
-  uint32_t struct_size;
+  uint32_t struct_size;   /**< set by plp_servo_state_init() */
   int32_t running;        /**< 1: the servo runs */
   int32_t priority;       /**< of SCHED_FIFO as the system granted it; 0: none */
   int32_t cpu;            /**< the only one that it runs on, as granted; -1: any */
@@ -830,7 +836,7 @@ typedef enum plp_condition {
 
 /** What a device is and can do. A degree of freedom that is not actuated has limits of zero. */
 typedef struct plp_device_info {
-  uint32_t struct_size;
+  uint32_t struct_size;       /**< set by plp_device_info_init() */
   uint32_t buttons;           /**< how many it has */
   uint32_t sensed;            /**< bits 0 to 2: translation along x, y, z; bits 3 to 5: rotation about them */
   uint32_t actuated;          /**< the same for forces and torques */
@@ -933,7 +939,7 @@ typedef enum plp_limiter {
 
 /** A device after a tick. Poses, velocities and wrenches are in its base frame. */
 typedef struct plp_device_state {
-  uint32_t struct_size;
+  uint32_t struct_size;       /**< set by plp_device_state_init() */
   uint32_t buttons;           /**< bit i: button i is held */
   plp_pose pose;              /**< of the handle, metres */
   double linear_velocity[3];  /**< m/s */
@@ -947,7 +953,7 @@ typedef struct plp_device_state {
   double gain;                /**< of the fading in, 0 to 1 */
   uint32_t limiters;          /**< bit 1 << plp_limiter: acting in the last tick */
   int32_t unactuated;         /**< 1: part of `commanded` was dropped, because there are no motors for it */
-  uint64_t ticks;
+  uint64_t ticks;             /**< since it was opened */
   uint64_t limiter_ticks[16]; /**< by plp_limiter: ticks in which each has acted */
   int32_t condition;          /**< plp_condition */
   uint32_t reserved;          /**< 0 */
@@ -979,7 +985,7 @@ PLP_API plp_result plp_device_disarm(plp_device device);
 
 /** Limits that are tighter than a device's own. A number that is 0 is the device's own. */
 typedef struct plp_safety_limits {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by plp_safety_limits_init() */
   uint32_t dead_man;    /**< bits of buttons that must all be held for any force; 0: none */
   double max_force;     /**< N */
   double max_torque;    /**< N·m */
@@ -1021,7 +1027,7 @@ typedef enum plp_hand_script {
 /** A hand as the handle feels it: its mass moves with the handle, a spring and a damper tie both to where the
  * hand wants to be. Base frame of the device. */
 typedef struct plp_hand_options {
-  uint32_t struct_size;
+  uint32_t struct_size;     /**< set by plp_hand_options_init() */
   int32_t grip;             /**< plp_grip */
   int32_t script;           /**< plp_hand_script */
   uint32_t buttons;         /**< held: bit i for button i */
@@ -1063,7 +1069,7 @@ PLP_API plp_result plp_device_place_in_hand(plp_device device);
 /** How a device's handle holds a scene's tool. Poses are in the scene's space, in which the axes of a device
  * without a pose of its own point as Palpate's: its +y is the scene's up. */
 typedef struct plp_device_mapping {
-  uint32_t struct_size;
+  uint32_t struct_size;      /**< set by plp_device_mapping_init() */
   uint32_t flags;            /**< PLP_DEVICE_*; an unknown one is refused */
   plp_pose scene_from_base;  /**< where the device stands in the scene */
   plp_pose handle_from_tool; /**< how the tool's frame lies in the handle's */
@@ -1111,11 +1117,11 @@ PLP_API plp_result plp_scene_set_device(plp_scene scene, plp_device device,
 
 /** How the recording of a scene goes or, from plp_scene_stop_recording, went. */
 typedef struct plp_recording {
-  uint32_t struct_size;
-  int32_t running; /**< 1: the scene is recorded */
-  uint64_t ticks;  /**< in the file or on their way to it */
-  uint64_t lost;   /**< that found no room */
-  uint64_t bytes;  /**< of the file */
+  uint32_t struct_size; /**< set by plp_recording_init() */
+  int32_t running;      /**< 1: the scene is recorded */
+  uint64_t ticks;       /**< in the file or on their way to it */
+  uint64_t lost;        /**< that found no room */
+  uint64_t bytes;       /**< of the file */
 } plp_recording;
 
 /** @brief Fills `recording` with zeros and its size. @threadsafety any @since 0.1 */
@@ -1166,13 +1172,13 @@ PLP_API plp_result plp_trace_release(plp_trace trace);
 
 /** What a trace has. */
 typedef struct plp_trace_info {
-  uint32_t struct_size;
-  int32_t complete; /**< 0: it was cut off, and the scene went on behind its last step */
-  uint64_t ticks;   /**< steps that can be read */
-  uint64_t lost;    /**< steps that were not recorded, because the file was too slow */
-  uint64_t bodies;  /**< that there ever were */
-  uint64_t bytes;   /**< of the file, as far as it is whole */
-  double duration;  /**< seconds of the scene from the first step to the last */
+  uint32_t struct_size; /**< set by plp_trace_info_init() */
+  int32_t complete;     /**< 0: it was cut off, and the scene went on behind its last step */
+  uint64_t ticks;       /**< steps that can be read */
+  uint64_t lost;        /**< steps that were not recorded, because the file was too slow */
+  uint64_t bodies;      /**< that there ever were */
+  uint64_t bytes;       /**< of the file, as far as it is whole */
+  double duration;      /**< seconds of the scene from the first step to the last */
 } plp_trace_info;
 
 /** @brief Fills `info` with zeros and its size. @threadsafety any @since 0.1 */
@@ -1190,11 +1196,12 @@ PLP_API plp_result plp_trace_get_options(plp_trace trace, plp_scene_options* opt
 
 /** A body of a trace. */
 typedef struct plp_trace_body {
-  uint32_t struct_size;
-  int32_t kind;           /**< plp_body_kind */
-  plp_body body;          /**< as the scene called it */
-  const char* model_name; /**< the name of its file; valid until the trace is released */
-  uint64_t model_triangles;
+  uint32_t struct_size;      /**< set by plp_trace_body_init() */
+  int32_t kind;              /**< plp_body_kind */
+  plp_body body;             /**< as the scene called it */
+  const char* model_name;    /**< the name of its file, followed by such as "#/nodes/5" if it is the node 5 of
+                                plp_scene_load_gltf; valid until the trace is released */
+  uint64_t model_triangles;  /**< of its model, as it is searched */
   uint64_t model_hash;       /**< plp_model_get_hash */
   double stiffness;          /**< as in plp_body_options, as the rest */
   double damping;            /**< N·s/m */
@@ -1203,53 +1210,54 @@ typedef struct plp_trace_body {
   uint64_t first_tick;       /**< the first step that had it; the number of steps if none had */
   uint64_t end_tick;         /**< the first step without it; the number of steps if it stayed */
   int32_t intangible;        /**< as in plp_body_options */
-  uint32_t reserved;
+  uint32_t reserved;         /**< 0 */
 } plp_trace_body;
 
 /** @brief Fills `body` with zeros and its size. @threadsafety any @since 0.1 */
 PLP_API void plp_trace_body_init(plp_trace_body* body, size_t size);
 
 /** @brief Describes a body of a trace. @param index below plp_trace_info::bodies; in the order in which they
- * were added. @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
+ * were added. @param body its model_name is valid until the trace is released.
+ * @return PLP_ERROR_INVALID_HANDLE or _INVALID_ARGUMENT. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_trace_get_body(plp_trace trace, uint64_t index, plp_trace_body* body);
 
 /** Where a body was placed. */
 typedef struct plp_trace_move {
-  plp_body body;
-  plp_pose pose;
+  plp_body body; /**< as the scene called it */
+  plp_pose pose; /**< units of the space */
 } plp_trace_move;
 
 /** One step of a trace: what was changed before it, the settings that it had, and its outcome. */
 typedef struct plp_trace_tick {
-  uint32_t struct_size;
-  uint32_t status;      /**< PLP_STATUS_* bits */
-  uint64_t step;        /**< of its scene, from 1 */
-  uint64_t lost;        /**< steps just before it that were not recorded */
-  double time;          /**< seconds of the scene since the first step of the trace */
-  double clock;         /**< seconds that had passed since the recording began */
-  double time_step;     /**< seconds since the step before */
-  double cutoff;        /**< units of the space */
-  double stiffness;     /**< N/m */
-  double damping;       /**< N·s/m */
-  double stiffness_cap; /**< N/m */
-  double friction;      /**< coefficient */
-  int32_t mode;         /**< plp_mode */
-  int32_t law;          /**< plp_law */
-  plp_body tool;        /**< 0: none */
-  plp_pose tool_pose;
-  plp_wrench wrench;
-  double min_distance; /**< infinite if there is no LMD */
-  uint64_t set_count;
-  uint64_t lmd_count;
-  uint64_t overlap_count;
-  int32_t overlap;
-  uint32_t reserved;
+  uint32_t struct_size;        /**< set by plp_trace_tick_init() */
+  uint32_t status;             /**< PLP_STATUS_* bits */
+  uint64_t step;               /**< of its scene, from 1 */
+  uint64_t lost;               /**< steps just before it that were not recorded */
+  double time;                 /**< seconds of the scene since the first step of the trace */
+  double clock;                /**< seconds that had passed since the recording began */
+  double time_step;            /**< seconds since the step before */
+  double cutoff;               /**< units of the space */
+  double stiffness;            /**< N/m */
+  double damping;              /**< N·s/m */
+  double stiffness_cap;        /**< N/m */
+  double friction;             /**< coefficient */
+  int32_t mode;                /**< plp_mode */
+  int32_t law;                 /**< plp_law */
+  plp_body tool;               /**< 0: none */
+  plp_pose tool_pose;          /**< as the step had it */
+  plp_wrench wrench;           /**< on the tool, N and N·m about its reference point */
+  double min_distance;         /**< infinite if there is no LMD */
+  uint64_t set_count;          /**< LMDs, a plateau counted once */
+  uint64_t lmd_count;          /**< points of LMDs */
+  uint64_t overlap_count;      /**< overlapping pairs */
+  int32_t overlap;             /**< 1: surfaces touch or cross */
+  uint32_t reserved;           /**< 0 */
   double step_us;              /**< all that the step computed */
   const plp_trace_move* moves; /**< bodies that were added or placed anew, but for the tool */
-  size_t move_count;
-  size_t move_stride;      /**< bytes from one to the next */
-  const plp_body* removed; /**< bodies that were removed */
-  size_t removed_count;
+  size_t move_count;           /**< of `moves` */
+  size_t move_stride;          /**< bytes from one to the next */
+  const plp_body* removed;     /**< bodies that were removed */
+  size_t removed_count;        /**< of `removed` */
 } plp_trace_tick;
 
 /** @brief Fills `tick` with zeros and its size. @threadsafety any @since 0.1 */

@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Reflection;
 using System.Text;
+using System.Threading;
 using NUnit.Framework;
 
 namespace Palpate.Tests
@@ -177,6 +179,79 @@ namespace Palpate.Tests
                 Assert.AreEqual(Raw.PLP_ERROR_INVALID_HANDLE, Raw.plp_scene_release((IntPtr)0x1234));
                 Assert.AreEqual(Raw.PLP_ERROR_INVALID_HANDLE, Raw.plp_query_result_release(scene.Handle));
             }
+        }
+
+        [Test]
+        public void OtherThreadsGetExceptions()
+        {
+            using (Model box = Samples.Box())
+            {
+                var scene = new Scene(new SceneOptions { Cutoff = 0.2 });
+                scene.Add(box);
+                scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(1.1, 0, 0) });
+                var outcomes = new List<string>();
+                ThreadStart step = () =>
+                {
+                    try
+                    {
+                        outcomes.Add(scene.Step().SetCount.ToString());
+                    }
+                    catch (Exception error)
+                    {
+                        outcomes.Add(error.GetType().Name);
+                    }
+                };
+                RunElsewhere(step);
+                scene.Start();
+                RunElsewhere(step);
+                scene.Dispose();
+                RunElsewhere(step);
+                Assert.AreEqual("1 PalpateWrongStateException ObjectDisposedException", string.Join(" ", outcomes));
+            }
+        }
+
+        [Test]
+        public void ASceneMayBeDisposedWhileAnotherThreadStepsIt()
+        {
+            using (Model box = Samples.Box())
+            {
+                for (int round = 0; round < 20; ++round)
+                {
+                    var scene = new Scene(new SceneOptions { Cutoff = 0.2 });
+                    scene.Add(box);
+                    scene.Add(box, new BodyOptions { Kind = BodyKind.Tool, Pose = new Pose(1.1, 0, 0) });
+                    Exception thrown = null;
+                    var began = new ManualResetEvent(false);
+                    var thread = new Thread(() =>
+                    {
+                        try
+                        {
+                            while (true)
+                            {
+                                scene.Step();
+                                began.Set();
+                            }
+                        }
+                        catch (Exception error)
+                        {
+                            thrown = error;
+                        }
+                    });
+                    thread.Start();
+                    Assert.IsTrue(began.WaitOne(TimeSpan.FromSeconds(30)));
+                    scene.Dispose();
+                    thread.Join();
+                    Assert.IsTrue(thrown is ObjectDisposedException || thrown is PalpateInvalidHandleException,
+                                  thrown.ToString());
+                }
+            }
+        }
+
+        private static void RunElsewhere(ThreadStart work)
+        {
+            var thread = new Thread(work);
+            thread.Start();
+            thread.Join();
         }
 
         [Test]

@@ -99,7 +99,7 @@ namespace Palpate.Tests
                 });
                 Assert.AreEqual(0.0, force);
                 Console.WriteLine("ns: a call {0:F0}; alone in a scene, the step of C {1:F0}, Step and Wrench {2:F0}, " +
-                                  "Pose, Step and Wrench {3:F0}", call, raw, step, tick);
+                                  "Pose, Step and Wrench {3:F0}; of its own {4:F0} a step", call, raw, step, tick, step - raw);
             }
         }
 
@@ -133,16 +133,22 @@ namespace Palpate.Tests
                    tick.SetCount == contacts.SetCount && Reference.Same(nearest, tick.MinDistance);
         }
 
+        /// <summary>Of the quickest batch, which other work of the machine disturbed least.</summary>
         private static double Nanoseconds(Action action)
         {
-            const int Calls = 100000;
-            action();
-            long start = DateTime.UtcNow.Ticks;
-            for (int i = 0; i < Calls; ++i)
+            const int Batches = 100;
+            const int Calls = 1000;
+            double least = double.PositiveInfinity;
+            for (int batch = 0; batch < Batches; ++batch)
             {
-                action();
+                long start = DateTime.UtcNow.Ticks;
+                for (int i = 0; i < Calls; ++i)
+                {
+                    action();
+                }
+                least = Math.Min(least, (DateTime.UtcNow.Ticks - start) * 100.0 / Calls);
             }
-            return (DateTime.UtcNow.Ticks - start) * 100.0 / Calls;
+            return least;
         }
     }
 }

@@ -1,4 +1,6 @@
+using System;
 using NUnit.Framework;
+using Palpate.Tests;
 using UnityEngine;
 
 namespace Palpate.Unity.Tests
@@ -47,6 +49,69 @@ namespace Palpate.Unity.Tests
                     Stage.End();
                 }
             }
+        }
+
+        /// <summary>A scene of the golden vectors, as the meshes and transforms that Unity would have of it.</summary>
+        [Test]
+        public void TheGoldenVectorsAreFelt()
+        {
+            int checkedSpaces = 0;
+            foreach (SpaceVectors told in SpaceVectors.Read())
+            {
+                if (!told.Name.StartsWith("Unity", StringComparison.Ordinal))
+                {
+                    continue;
+                }
+                Stage.Begin(typeof(PalpateScene).Assembly);
+                Handedness handedness = told.Space.AxisX < 0 ? Handedness.FlipX : Handedness.FlipZ;
+                Assert.AreEqual(told.Space, Conversion.SpaceOf(handedness, 1), told.Name);
+                PalpateScene scene = Play.Scene(handedness);
+                scene.cutoff = (float)told.Number("cutoff");
+                scene.stiffness = (float)told.Number("stiffness");
+                Stage.Validate(scene);
+                Told<HapticBody>(scene, told, "body");
+                Told<HapticTool>(scene, told, "tool");
+                Play.Frames(3);
+                Assert.AreEqual(1, scene.ContactCount, told.Name);
+                Assert.AreEqual(told.Number("distance"), scene.MinDistance, 1e-5, told.Name);
+                // A transform has single precision.
+                RequireNear(told.Vector("force"), scene.Force, 1e-3, told.Name);
+                RequireNear(told.Vector("torque"), scene.Torque, 2e-3, told.Name);
+                foreach (Body body in scene.Native.Bodies())
+                {
+                    using (Model model = body.Model)
+                    {
+                        Assert.AreEqual(0UL, model.Info.FlippedComponents, "a winding that had to be repaired");
+                    }
+                }
+                ++checkedSpaces;
+                Stage.End();
+            }
+            Assert.AreEqual(2, checkedSpaces);
+        }
+
+        private static void Told<T>(PalpateScene scene, SpaceVectors told, string part) where T : HapticBody, new()
+        {
+            double[] numbers = told.Vertices(part);
+            var mesh = new Mesh { vertices = new Vector3[numbers.Length / 3], triangles = told.Triangles(part) };
+            for (int i = 0; i < mesh.vertices.Length; ++i)
+            {
+                mesh.vertices[i] = Conversion.ToUnity(new Vector3d(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]));
+            }
+            var made = new GameObject { name = part };
+            made.SetActive(false);
+            made.transform.SetParent(scene.transform, false);
+            made.transform.localPosition = Conversion.ToUnity(told.Pose(part).Position);
+            made.transform.rotation = Conversion.ToUnity(told.Pose(part).Orientation);
+            made.AddComponent<T>().mesh = mesh;
+            made.SetActive(true);
+        }
+
+        private static void RequireNear(Vector3d expected, Vector3 actual, double tolerance, string message)
+        {
+            Assert.AreEqual(expected.X, actual.x, tolerance, message);
+            Assert.AreEqual(expected.Y, actual.y, tolerance, message);
+            Assert.AreEqual(expected.Z, actual.z, tolerance, message);
         }
 
         [Test]

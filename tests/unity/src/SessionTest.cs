@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using NUnit.Framework;
@@ -163,6 +164,30 @@ namespace Palpate.Unity.Tests
             Play.Frames(2);
             Assert.AreEqual(1.0f, tool.transform.position.x, "it follows its transform again");
             Stage.End();
+        }
+
+        [Test]
+        public void ASessionIsRecorded()
+        {
+            string path = Path.Combine(Path.GetTempPath(), "palpate_" + Guid.NewGuid() + ".trace");
+            Stage.Begin(typeof(PalpateScene).Assembly);
+            PalpateScene scene = Play.Scene(servo: true);
+            Play.Body<HapticBody>(scene, Vector3.zero);
+            Play.Body<HapticTool>(scene, new Vector3(1.1f, 0, 0));
+            scene.StartRecording(path);
+            Play.FramesUntil(() => Math.Abs(scene.Force.x - 50) < 1e-3);
+            Recording recording = scene.StopRecording();
+            Assert.Throws<PalpateWrongStateException>(() => scene.StopRecording());
+            scene.enabled = false;
+            Assert.Throws<InvalidOperationException>(() => scene.StartRecording(path));
+            Stage.End();
+            using (Trace trace = Trace.Open(path))
+            {
+                Assert.AreEqual(recording.Ticks, trace.Count);
+                Assert.AreEqual(-1, trace.Space.AxisX, "in the space of Unity");
+                Assert.AreEqual(50, trace[trace.Count - 1].Wrench.Force.X, 1e-3);
+            }
+            File.Delete(path);
         }
 
         [Test]

@@ -234,7 +234,7 @@ class Scene(Closing):
                   scale: float = 1.0) -> list[Body]:
         """Adds the nodes of a .gltf or .glb file that have meshes as bodies, parents before children; all or, on an
         error, none. Nodes that share a mesh and a scale share a model. `tool` names the node that is the tool, with all
-        that is below it. `pose` is that of the file's scene in this one. `cutoff`: None leaves it as it is. Materials
+        that is below it, or tells its index, as "/nodes/5". `pose` is that of the file's scene in this one. `cutoff`: None leaves it as it is. Materials
         come from `extras` (stiffness, damping, friction), MPEG_material_haptic and KHR_physics_rigid_bodies, as
         palpate.h tells. The other options are those of Model.load()."""
         model = model_options(weld_tolerance, double_sided, keep_winding, scene, max_triangles, scale)

@@ -23,7 +23,8 @@ _KINDS: tuple[Kind, ...] = ("static", "moving", "tool")
 
 
 class TraceBody(NamedTuple):
-    """A body of a trace: `id` as its scene called it. It is there from tick `first_tick` on, before `end_tick`."""
+    """A body of a trace: `id` as its scene called it. It is there from tick `first_tick` on, before `end_tick`.
+    `model_name` is that of a file or, of a body that load_gltf() made, such as "room.glb#/nodes/5"."""
 
     id: int
     kind: Kind
