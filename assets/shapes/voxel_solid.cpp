@@ -23,9 +23,10 @@ class VoxelGrid {
 
  private:
   static std::size_t slot(const Cell& at) {
-    return static_cast<std::size_t>((at[2] * kSide + at[1]) * kSide + at[0]);
+    const auto x = static_cast<std::size_t>(at[0]), y = static_cast<std::size_t>(at[1]);
+    return (static_cast<std::size_t>(at[2]) * kSide + y) * kSide + x;
   }
-  std::array<bool, kSide * kSide * kSide> cells_{};
+  std::array<bool, std::size_t{kSide} * kSide * kSide> cells_{};
 };
 
 // Calls visit(Cell) for every cell from `low` to `high`, the latter excluded.

@@ -25,7 +25,7 @@ static_assert(static_cast<int>(Limiter::kDevice) == PLP_LIMITER_DEVICE);
 static_assert(kLimiters <= std::size(plp_device_state{}.limiter_ticks));
 
 plp_wrench wrench_of(const DeviceWrench& wrench) {
-  plp_wrench out;
+  plp_wrench out{};
   store(wrench.force, out.force);
   store(wrench.torque, out.torque);
   return out;

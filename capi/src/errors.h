@@ -3,6 +3,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "engine/base/result.h"
@@ -52,6 +53,10 @@ plp_result guarded(Body&& body) noexcept {
     return fail(ErrorCode::kOutOfMemory, "out of memory");
   } catch (const std::length_error&) {
     return fail(ErrorCode::kOutOfMemory, "out of memory: an array would be longer than any can be");
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again)
+      return fail(ErrorCode::kInternal, error.what());
+    return fail(ErrorCode::kLimit, "the system allows no more threads");
   } catch (const std::exception& exception) {
     return fail(ErrorCode::kInternal, exception.what());
   } catch (...) {

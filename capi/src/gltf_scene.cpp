@@ -56,6 +56,7 @@ GltfBodies read_bodies(const SceneLoad& load) {
 
 std::vector<std::shared_ptr<const Model>> models_of(std::vector<Mesh> shapes) {
   std::vector<std::shared_ptr<const Model>> models;
+  models.reserve(shapes.size());
   for (Mesh& shape : shapes) models.push_back(std::make_shared<const Model>(std::move(shape)));
   return models;
 }

@@ -71,7 +71,7 @@ HandleTable<TraceObject>& trace_table();
 // A C handle is a pointer type that holds the 64 bits of a table's handle.
 template <class T>
 std::uint64_t bits_of(T* handle) {
-  static_assert(sizeof(handle) == sizeof(std::uint64_t), "handles need 64 bits");
+  static_assert(sizeof(std::uintptr_t) == sizeof(std::uint64_t), "handles need 64 bits");
   return reinterpret_cast<std::uintptr_t>(handle);
 }
 
@@ -94,6 +94,7 @@ template <class Handle, class T>
 Handle new_handle(HandleTable<T>& table, std::unique_ptr<T> object) {
   const std::uint64_t bits = table.create(std::move(object));
   if (bits == 0) refuse(ErrorCode::kLimit, "there are too many objects of this kind");
+  // A number in the type of a pointer, which nobody follows. NOLINTNEXTLINE(performance-no-int-to-ptr)
   return reinterpret_cast<Handle>(static_cast<std::uintptr_t>(bits));
 }
 

@@ -36,11 +36,8 @@ plp_model new_model(TriangleSoup soup, LoadReport report, const plp_model_option
   object->tally = report.tally;
   object->load_us = watch.elapsed_us();
   object->name = path_of(name.c_str()).filename().string();
-  const std::shared_ptr<const Model> model = object->model;
-  const double load_us = object->load_us;
-  const auto handle = new_handle<plp_model>(model_table(), std::move(object));
-  log_model(name, model->mesh().report, load_us);
-  return handle;
+  log_model(name, object->model->mesh().report, object->load_us);
+  return new_handle<plp_model>(model_table(), std::move(object));
 }
 
 plp_model new_gltf_model(const GltfScene& scene, const plp_model_options& options, const std::string& name,

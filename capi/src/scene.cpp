@@ -237,7 +237,6 @@ plp_result plp_scene_step(plp_scene scene) {
     const auto object = pin_scene(scene);
     require_handle(object, "scene");
     value_or_refuse(object->scene.step());
-    show_newest(*object);
   });
 }
 

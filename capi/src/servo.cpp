@@ -60,7 +60,7 @@ plp_servo_state state_of(const ServoState& servo) {
 
 // No thread outlives the process.
 struct AtExit {
-  ~AtExit() { SceneThreads::stop_all_of_this_process(); }
+  ~AtExit() { SceneThreads::stop_all(); }
 } at_exit;
 
 }  // namespace

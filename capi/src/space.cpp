@@ -74,7 +74,7 @@ void Space::direction_out(const DVec3& direction, double out[3]) const {
 }
 
 plp_wrench Space::wrench_out(const Wrench& wrench) const {
-  plp_wrench out;
+  plp_wrench out{};
   direction_out(wrench.force, out.force);
   direction_out(determinant_ * wrench.torque, out.torque);
   return out;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <future>
 #include <system_error>
 #include <thread>
@@ -30,6 +31,16 @@ void in_parallel(std::size_t count, const Task& task) {
   }
   for (std::size_t first : own) stride(first);
   for (std::future<void>& other : others) other.get();
+}
+
+// Calls visit(i) for every i below `count`, blocks of them side by side.
+template <class Visit>
+void for_each_in_parallel(std::size_t count, const Visit& visit) {
+  constexpr std::size_t kBlock = std::size_t{1} << 14;
+  in_parallel((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+    const std::size_t end = std::min(count, (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < end; ++i) visit(static_cast<std::uint32_t>(i));
+  });
 }
 
 }  // namespace palpate

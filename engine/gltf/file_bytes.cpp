@@ -1,6 +1,9 @@
 #include "engine/gltf/file_bytes.h"
 
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <new>
 #include <system_error>
 
 #include "engine/gltf/load_error.h"
@@ -18,11 +21,13 @@ std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, LoadBu
   if (error) fail(ErrorCode::kFileRead, error.message());
   budget.take_bytes(size);
 
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail(ErrorCode::kFileRead, "the file cannot be opened");
+  // A stream of C++ would not tell a lack of memory from a file that cannot be opened.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file && errno == ENOMEM) throw std::bad_alloc();
+  if (!file) fail(ErrorCode::kFileRead, "the file cannot be opened");
   std::vector<std::byte> bytes(size);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
     fail(ErrorCode::kFileRead, "the file ended while it was read");
   budget.tally.read_bytes += size;
   return bytes;

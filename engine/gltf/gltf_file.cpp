@@ -4,6 +4,7 @@
 #include <new>
 #include <vector>
 
+#include "engine/base/memory_reserve.h"
 #include "engine/gltf/buffer_store.h"
 #include "engine/gltf/file_bytes.h"
 #include "engine/gltf/gltf_container.h"
@@ -15,13 +16,22 @@
 namespace palpate {
 namespace {
 
+// nlohmann::json, and with it tinygltf, requests memory in its destructors, at most for the longest array at
+// a time, and ends the program where it is refused.
+std::size_t reserve_for(std::string_view json) {
+  constexpr std::size_t kLeast = 1u << 17;
+  return kLeast + 4 * json.size();
+}
+
 GltfScene read_scene(std::span<const std::byte> bytes, const std::filesystem::path& folder,
                      const GltfOptions& options, gltf::LoadBudget& budget) {
   const gltf::Container container = gltf::open_container(bytes);
+  const MemoryReserve reserve(reserve_for(container.json), MemoryReserve::For::kThisThread);
   const gltf::GltfDocument document = gltf::read_document(container.json, options);
   gltf::BufferStore buffers(document, container, folder, budget);
   GltfScene scene = gltf::SceneReader(document, buffers, budget, options).read();
   scene.tally = budget.tally;
+  if (reserve.is_touched()) throw std::bad_alloc();
   return scene;
 }
 

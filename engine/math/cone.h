@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "engine/math/vector.h"
 
@@ -32,29 +30,17 @@ struct Cone {
   }
 };
 
-// A narrow cone around unit directions: centred on their mean, then pulled towards the farthest one for a few
-// rounds (Bădoiu & Clarkson 2003). Whole where they do not fit into a half-space.
-inline Cone cone_around(std::span<const Vec3> directions) {
-  constexpr int kRounds = 4;
-  DVec3 axis(0.0);
-  for (const Vec3& direction : directions) axis += DVec3(direction);
-  Cone best;
-  for (int round = 1; round <= kRounds + 1; ++round) {
-    const double length = glm::length(axis);
-    if (!(length > 1e-9)) break;
-    axis /= length;
-    double most = 0.0;
-    DVec3 farthest = axis;
-    for (const Vec3& direction : directions) {
-      const DVec3 chord = DVec3(direction) - axis;
-      const double squared = glm::dot(chord, chord);
-      if (squared > most) most = squared, farthest = DVec3(direction);
-    }
-    const double half_tangent = half_tangent_across(std::sqrt(most));
-    if (half_tangent < std::min(best.half_tangent, 1.0)) best = {axis, half_tangent};
-    axis += (farthest - axis) / (round + 1.0);
-  }
-  return best;
+// The narrowest cone around two; whole where that is nearly a right angle wide.
+inline Cone cone_around(const Cone& one, const Cone& other) {
+  if (one.is_whole() || other.is_whole()) return Cone::whole();
+  const double angle = 2.0 * std::atan(one.half_tangent), other_angle = 2.0 * std::atan(other.half_tangent);
+  const double between = 2.0 * std::atan(half_tangent_across(glm::length(other.axis - one.axis)));
+  if (between + other_angle <= angle) return one;
+  if (between + angle <= other_angle) return other;
+  const double both = 0.5 * (angle + between + other_angle), turn = both - angle;
+  if (both >= 1.5) return Cone::whole();
+  const DVec3 axis = glm::normalize(one.axis * std::sin(between - turn) + other.axis * std::sin(turn));
+  return Cone{axis, std::tan(0.5 * both)}.widened(1e-9);
 }
 
 }  // namespace palpate

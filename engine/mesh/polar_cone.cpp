@@ -66,11 +66,18 @@ struct Tangents {
     for (std::size_t i = 0; i < count; ++i) most = std::max(most, glm::dot(directions[i], u));
     return most;
   }
+  // One way or the other along a candidate.
+  // For a lean that is positive.
   bool admit(const DVec3& candidate, double lean) const {
-    const double length = glm::length(candidate);
-    if (!(length > 0)) return false;
-    const double sign = 1 / length;
-    return violation(candidate * sign) < lean || violation(candidate * -sign) < lean;
+    const double most = lean * glm::length(candidate);
+    if (!(most > 0)) return false;
+    bool forward = true, backward = true;
+    for (std::size_t i = 0; i < count && (forward || backward); ++i) {
+      const double along = glm::dot(directions[i], candidate);
+      forward &= along < most;
+      backward &= -along < most;
+    }
+    return forward || backward;
   }
 };
 
@@ -85,16 +92,6 @@ bool polar_cone_may_hold(const Tangents& tangents, double lean) {
         if (tangents.admit(glm::cross(d[j] - d[i], d[k] - d[i]), lean)) return true;
     }
   return false;
-}
-
-// Visits all below `count`, blocks of them side by side.
-template <class Visit>
-void for_blocks(std::uint32_t count, const Visit& visit) {
-  constexpr std::uint32_t kBlock = 1u << 14;
-  in_parallel((count + kBlock - 1) / kBlock, [&](std::size_t block) {
-    const auto first = static_cast<std::uint32_t>(block) * kBlock;
-    for (std::uint32_t i = first; i < std::min(count, first + kBlock); ++i) visit(i);
-  });
 }
 
 // u leaves each of the triangles, beyond rounding: then any mean of their normals has it on its side.
@@ -201,9 +198,9 @@ void flag_features(Mesh& mesh) {
     mesh.edge_flags[edge].outward = false;
     for (std::uint32_t vertex : mesh.edges[edge].vertex) mesh.vertex_flags[vertex].outward = false;
   }
-  for_blocks(edge_count,
-             [&](std::uint32_t edge) { mesh.edge_flags[edge].active = edge_may_hold(mesh, edge); });
-  for_blocks(vertex_count, [&](std::uint32_t vertex) {
+  for_each_in_parallel(edge_count,
+                       [&](std::uint32_t edge) { mesh.edge_flags[edge].active = edge_may_hold(mesh, edge); });
+  for_each_in_parallel(vertex_count, [&](std::uint32_t vertex) {
     mesh.vertex_flags[vertex].active = vertex_may_hold(mesh, vertex, kSurelyOutside);
   });
 }

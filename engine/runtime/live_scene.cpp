@@ -33,6 +33,14 @@ BodyKind kind_of(const NewBody& body) {
   return body.options.kind;
 }
 
+Status finished(SceneRecorder& recorder) noexcept {
+  try {
+    return recorder.finish();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kOutOfMemory, "out of memory"};  // short: needs none itself
+  }
+}
+
 void destroy_all(Letter* letter) {
   while (letter) delete std::exchange(letter, letter->next());
 }
@@ -43,8 +51,9 @@ LiveScene::LiveScene(const SceneOptions& options) : options_(options), scene_(op
 
 LiveScene::~LiveScene() {
   go_still();
-  Recording outcome;
-  static_cast<void>(stop_recording(outcome));
+  if (!recording_) return;
+  if (recorder_) recorder_->leave(scene_);
+  static_cast<void>(finished(*recording_));
 }
 
 Result<BodyId> LiveScene::add(BodyOptions options) {
@@ -87,7 +96,7 @@ bool LiveScene::take_ids(std::size_t count, std::vector<BodyId>& ids) {
 }
 
 void LiveScene::give_back(const std::vector<BodyId>& ids) {
-  for (const BodyId id : ids) ids_.give_back(id);
+  for (auto id = ids.rbegin(); id != ids.rend(); ++id) ids_.give_back_unused(*id);
 }
 
 // All memory that the bodies need, so that admit() cannot fail half-way.
@@ -105,7 +114,7 @@ LiveScene::Arrivals LiveScene::arrivals_of(const std::vector<BodyId>& ids, std::
     record->pose = body.options.pose;
     record->options = body.options;
     record->node = std::move(body.node);
-    if (recording_) recording_->add(trace_of(ids[i], body.options));
+    if (recording_) arrivals.traced.push_back(trace_of(ids[i], body.options));
     if (record->node.above != 0) record->node.above = ids[record->node.above - 1];
     arrivals.records.push_back(std::move(record));
     auto placed = std::make_unique<Body>(std::move(body.options));
@@ -118,8 +127,10 @@ LiveScene::Arrivals LiveScene::arrivals_of(const std::vector<BodyId>& ids, std::
   return arrivals;
 }
 
-// Allocates nothing: the first command brings room for all.
-void LiveScene::admit(Arrivals arrivals) {
+// Cannot fail: the first command brings room for all, and what a recording has no memory for is told at its
+// end.
+void LiveScene::admit(Arrivals arrivals) noexcept {
+  for (const TraceBody& body : arrivals.traced) recording_->add(body);
   slot_room_ = std::max(slot_room_, arrivals.slot_room);
   for (std::unique_ptr<Command>& command : arrivals.commands) carry_out(std::move(command));
   for (std::unique_ptr<BodyRecord>& record : arrivals.records) {
@@ -267,16 +278,17 @@ void LiveScene::set_mode(SearchMode mode) {
 
 Status LiveScene::set_device(std::shared_ptr<GuardedDevice> device, const DeviceMapping& mapping) {
   const auto done = std::make_shared<Bell>();
+  std::unique_ptr<Command> command = change_of([this, device, mapping, done](Scene&) mutable {
+    device = loop_.exchange(std::move(device), mapping);
+    done->ring();
+  });
   {
     const std::lock_guard lock(mutex_);
     if (device && device != device_ && !device->claim())
       return Error{ErrorCode::kWrongState, "another scene has the device; take it from there first"};
     if (BodyRecord* const tool = find(tool_)) tool->in_hand = true;
-    device_ = device;
-    change([this, device, mapping, done](Scene&) mutable {
-      device = loop_.exchange(std::move(device), mapping);
-      done->ring();
-    });
+    device_ = std::move(device);
+    carry_out(std::move(command));
   }
   done->wait(kLongestWait);
   return Done{};
@@ -303,8 +315,12 @@ Status LiveScene::record(const std::string& path, const TraceSpace& space) {
   if (!recorder) return recorder.error();
   for (const auto& record : records_)
     if (record) recorder.value()->add(trace_of(record->id, record->options));
-  attach(recorder.value());
+  Attachment attachment = attachment_of(recorder.value());
+  Attachment detachment = attachment_of(nullptr);
+  if (Status begun = recorder.value()->begin(); !begun) return begun;
+  carry_out(std::move(attachment.command));
   recording_ = std::move(recorder.value());
+  detachment_ = std::move(detachment);
   return Done{};
 }
 
@@ -314,25 +330,26 @@ Status LiveScene::stop_recording(Recording& outcome) {
   {
     const std::lock_guard lock(mutex_);
     if (!recording_) return Error{ErrorCode::kWrongState, "the scene is not recorded"};
-    done = attach(nullptr);
+    done = std::move(detachment_.done);
+    carry_out(std::move(detachment_.command));
     ended = std::move(recording_);
   }
   done->wait(kLongestWait);
-  const Status status = ended->finish();
+  const Status status = finished(*ended);
   outcome = ended->state();
   return status;
 }
 
 // The servo takes it up, or lets it go, between two ticks, and then rings.
-std::shared_ptr<Bell> LiveScene::attach(std::shared_ptr<SceneRecorder> recorder) {
+LiveScene::Attachment LiveScene::attachment_of(std::shared_ptr<SceneRecorder> recorder) {
   const auto done = std::make_shared<Bell>();
-  change([this, recorder, done](Scene& scene) mutable {
-    if (recorder_) recorder_->leave(scene);
-    if (recorder) recorder->meet(scene);
-    recorder_.swap(recorder);
-    done->ring();
-  });
-  return done;
+  return {change_of([this, recorder, done](Scene& scene) mutable {
+            if (recorder_) recorder_->leave(scene);
+            if (recorder) recorder->meet(scene);
+            recorder_.swap(recorder);
+            done->ring();
+          }),
+          done};
 }
 
 Recording LiveScene::recording() {
@@ -348,7 +365,12 @@ Status LiveScene::go_live() {
     slots.reserve(2 * records_.size() + 1);
     const std::size_t slot_room = slots.capacity();
     parts_.emplace(inbox_);
-    scene_.fix();
+    try {
+      scene_.fix();
+    } catch (...) {
+      scene_.unfix();
+      throw;
+    }
     scene_.move_to(slots);
     slot_room_ = slot_room;
     publish_tool(0.0);

@@ -121,13 +121,14 @@ class LiveScene : public ServoTask {
   struct Arrivals {
     std::vector<std::unique_ptr<BodyRecord>> records;
     std::vector<std::unique_ptr<Command>> commands;
+    std::vector<TraceBody> traced;
     std::size_t slot_room = 0;  // of the table that they bring; 0: none
   };
 
   bool take_ids(std::size_t count, std::vector<BodyId>& ids);  // false: there are not so many, none is taken
   void give_back(const std::vector<BodyId>& ids);
   Arrivals arrivals_of(const std::vector<BodyId>& ids, std::vector<NewBody> bodies, double cutoff);
-  void admit(Arrivals arrivals);
+  void admit(Arrivals arrivals) noexcept;
   Pose pose_now(const BodyRecord& record);
   BodyTable::Slots slots_for(std::uint32_t slot) const;
   BodyRecord* find(BodyId id);
@@ -137,7 +138,12 @@ class LiveScene : public ServoTask {
   void publish(double dt);
   void publish_tool(double dt);
   void destroy_returned();
-  std::shared_ptr<Bell> attach(std::shared_ptr<SceneRecorder> recorder);
+  // A recorder on its way to the thread that steps, which rings when it has it.
+  struct Attachment {
+    std::unique_ptr<Command> command;
+    std::shared_ptr<Bell> done;
+  };
+  Attachment attachment_of(std::shared_ptr<SceneRecorder> recorder);
   void take_survey();
   bool soon_near(BodyRecord& record, const Sphere& tool, const ToolView& view) const;
 
@@ -151,6 +157,7 @@ class LiveScene : public ServoTask {
   std::size_t slot_room_ = 0;  // of the scene's table
   std::uint64_t visited_step_ = 0;
   std::shared_ptr<SceneRecorder> recording_;  // null: none
+  Attachment detachment_;                     // that ends it, made when it began
 
   // The servo's while live, otherwise guarded, too.
   Scene scene_;

@@ -31,8 +31,11 @@ class SceneRecorder {
   SceneRecorder(const SceneRecorder&) = delete;
   SceneRecorder& operator=(const SceneRecorder&) = delete;
 
+  // Empties the file and begins it: last of all, because what is in it is lost. Errors: kFileWrite.
+  Status begin() { return writer_->begin(); }
+
   // From any thread, before the scene has the body.
-  void add(const TraceBody& body) { writer_->add(body); }
+  void add(const TraceBody& body) noexcept { writer_->add(body); }
 
   // Of the thread that steps the scene: before the first tick, after each, and after the last. A servo's
   // neither allocate, lock nor wait; a tick that finds no room is lost, and counted.

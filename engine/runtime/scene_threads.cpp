@@ -26,7 +26,7 @@ std::chrono::duration<double, std::micro> pause_after(double round_us) {
 struct Running {
   std::mutex mutex;  // taken before any scene's own
   std::set<SceneThreads*> scenes;
-  const pid_t process = getpid();
+  pid_t process = getpid();  // that has their threads
 };
 
 Running& running() {
@@ -38,21 +38,41 @@ Running& running() {
 
 Status SceneThreads::start(const ServoOptions& options, ServoTask& task) {
   const std::lock_guard all(running().mutex);
+  own_process();
   const std::lock_guard lock(mutex_);
-  if (Status live = scene_.go_live(); !live) return live;
+  if (running().scenes.contains(this)) return Error{ErrorCode::kWrongState, "the scene's servo runs"};
   running().scenes.insert(this);
+  options_ = options;
+  task_ = &task;
+  return all_or_none([this] {
+    Status live = scene_.go_live();
+    if (!live) return live;
+    Status searching = start_search();
+    return searching ? start_servo() : searching;
+  });
+}
+
+// Starts what `begin` starts; should that fail, no thread is left.
+template <class Begin>
+Status SceneThreads::all_or_none(Begin&& begin) {
+  try {
+    Status started = begin();
+    if (!started) stop_threads();
+    return started;
+  } catch (...) {
+    stop_threads();
+    throw;
+  }
+}
+
+Status SceneThreads::start_search() {
   stop_search_.emplace();
   try {
     search_ = std::thread([this] { search(); });
   } catch (const std::system_error&) {
-    stop_threads();
     return Error{ErrorCode::kLimit, "the system allows no more threads"};
   }
-  options_ = options;
-  task_ = &task;
-  Status started = start_servo();
-  if (!started) stop_threads();
-  return started;
+  return Done{};
 }
 
 Status SceneThreads::start_servo() {
@@ -77,9 +97,7 @@ Status SceneThreads::set_device(std::shared_ptr<GuardedDevice> device, const Dev
   Status given = scene_.set_device(std::move(device), mapping);
   if (!given || stays || !running().scenes.contains(this)) return given;
   stop_servo();
-  Status started = start_servo();
-  if (!started) stop_threads();
-  return started;
+  return all_or_none([this] { return start_servo(); });
 }
 
 void SceneThreads::stop() {
@@ -98,18 +116,22 @@ void SceneThreads::stop_threads() {
   scene_.go_still();
 }
 
+// What runs in the process that this one was forked off from does not run here.
+void SceneThreads::own_process() {
+  if (running().process == getpid()) return;
+  running().process = getpid();
+  running().scenes.clear();
+}
+
 void SceneThreads::stop_all() {
+  // Elsewhere there are no threads to wait for, and a lock may be held for ever.
+  if (running().process != getpid()) return;
   const std::lock_guard all(running().mutex);
   while (!running().scenes.empty()) {
     SceneThreads& scene = **running().scenes.begin();
     const std::lock_guard lock(scene.mutex_);
     scene.stop_threads();
   }
-}
-
-void SceneThreads::stop_all_of_this_process() {
-  // Elsewhere there are no threads to wait for, and a lock may be held for ever.
-  if (running().process == getpid()) stop_all();
 }
 
 ServoState SceneThreads::state() {

@@ -32,13 +32,15 @@ class SceneThreads {
 
   ServoState state();
 
-  // Stops the threads of every scene.
+  // Stops the threads of every scene; nothing in a process that was forked off, which has none of them.
   static void stop_all();
-  // The same where the process ends, which may be one that was forked off and has none of the threads.
-  static void stop_all_of_this_process();
 
  private:
+  static void own_process();
   void search();
+  template <class Begin>
+  Status all_or_none(Begin&& begin);
+  Status start_search();
   Status start_servo();
   void stop_servo();
   void stop_threads();

@@ -15,6 +15,11 @@ BodyId BodyIds::take() {
   return BodyId{slots_[slot].generation} << 32 | slot;
 }
 
+void BodyIds::give_back_unused(BodyId id) {
+  slots_[slot_of(id)].taken = false;
+  free_.push_back(slot_of(id));
+}
+
 void BodyIds::give_back(BodyId id) {
   Slot& slot = slots_[slot_of(id)];
   slot.taken = false;

@@ -18,6 +18,7 @@ class BodyIds {
 
   BodyId take();  // 0 if there are too many
   void give_back(BodyId id);
+  void give_back_unused(BodyId id);  // that nobody was told; may be handed out again
   bool alive(BodyId id) const;
 
  private:

@@ -41,7 +41,8 @@ void BodyTable::place(std::unique_ptr<Body> body) {
   const std::uint32_t slot = slot_of(body->id);
   if (slot >= slots_.size()) slots_.resize(slot + 1);
   if (!slots_[slot].body) ++size_;
-  slots_[slot] = {std::move(body), 0.0};
+  slots_[slot].body = std::move(body);
+  may_be_near(slot);
 }
 
 std::unique_ptr<Body> BodyTable::take(BodyId id) {
@@ -71,12 +72,17 @@ bool BodyTable::set_pose(BodyId id, const Pose& pose) {
   Body* body = find(id);
   if (!body) return false;
   body->set_pose(pose);
-  slots_[slot_of(id)].far_until = 0.0;
+  may_be_near(slot_of(id));
   return true;
 }
 
+void BodyTable::may_be_near(std::uint32_t slot) {
+  slots_[slot].far_until = 0.0;
+  slots_[slot / kGroup * kGroup].group_until = 0.0;
+}
+
 void BodyTable::forget_far() {
-  for (Slot& slot : slots_) slot.far_until = 0.0;
+  for (Slot& slot : slots_) slot.far_until = slot.group_until = 0.0;
 }
 
 }  // namespace palpate

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,7 +60,8 @@ class BodyTable {
  public:
   struct Slot {
     std::unique_ptr<Body> body;
-    double far_until = 0.0;  // on the tool's way: until there the body is out of its reach
+    double far_until = 0.0;    // on the tool's way: until there the body is out of its reach
+    double group_until = 0.0;  // of the first of a group: the least of its bodies' far_until, or less
   };
   using Slots = std::vector<Slot>;
 
@@ -83,12 +87,13 @@ class BodyTable {
   }
 
   // The same for those that the tool may reach after `way`. The visitor returns until where on the tool's way
-  // it will not, 0 where it does. The bodies themselves, each in a memory of its own, are not touched.
+  // it will not, 0 where it does. Of a group that is far as a whole one slot is read, and no body, each of
+  // which is in a memory of its own.
   template <class Visit>
   void for_each_near(double way, Visit&& visit) {
-    for (Slot& slot : slots_) {
-      if (!(slot.far_until > way) && slot.body) slot.far_until = visit(slot.body->id, *slot.body);
-    }
+    for (std::size_t first = 0; first < slots_.size(); first += kGroup)
+      if (!(slots_[first].group_until > way))
+        slots_[first].group_until = visit_group({slots_.data() + first, group_size(first)}, way, visit);
   }
 
   void forget_far();  // all may be within reach
@@ -96,6 +101,23 @@ class BodyTable {
   std::size_t size() const { return size_; }  // bodies
 
  private:
+  static constexpr std::size_t kGroup = 64;  // slots
+
+  std::size_t group_size(std::size_t first) const { return std::min(kGroup, slots_.size() - first); }
+
+  template <class Visit>
+  static double visit_group(std::span<Slot> group, double way, Visit& visit) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Slot& slot : group) {
+      if (!slot.body) continue;
+      if (!(slot.far_until > way)) slot.far_until = visit(slot.body->id, *slot.body);
+      least = std::min(least, slot.far_until);
+    }
+    return least;
+  }
+
+  void may_be_near(std::uint32_t slot);
+
   BodyIds ids_;
   Slots slots_;
   std::size_t size_ = 0;

@@ -84,24 +84,38 @@ void PairSearch::update(const Model& body, const Model& tool, const PairSituatio
   options.near_minima = situation.near_minima;
   if (plateau_) options.parallel_tolerance *= kPlateauHysteresis;
 
-  known_ = false;  // should the search throw, nothing half-done is reused
-  by_descent_ = false;
+  known_ = by_descent_ = false;
   situation_ = situation;
   if (news) adopt(body, tool, *news);
-  switch (situation.mode) {
-    case SearchMode::kGlobal:
-      search_all(body, tool, options, search);
-      break;
-    case SearchMode::kDescent:
-      descend(body, tool, options, search);
-      break;
-    case SearchMode::kCertified:
-      keep_front(body, tool, options);
-      break;
+  try {
+    find(body, tool, options, search);
+  } catch (...) {
+    drop();
+    throw;
   }
   known_ = true;
   // A part of a set decides nothing: a front whose tolerance changes starts afresh.
   if (!by_descent_) plateau_ = found_.has_plateau();
+}
+
+void PairSearch::find(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search) {
+  switch (situation_.mode) {
+    case SearchMode::kGlobal:
+      return search_all(body, tool, options, search);
+    case SearchMode::kDescent:
+      return descend(body, tool, options, search);
+    case SearchMode::kCertified:
+      return keep_front(body, tool, options);
+  }
+}
+
+// What a search has left half-done; a front of which a part is missing would miss LMDs for ever. Whether
+// there was a plateau stays known, so that the next set is the one that was to be found.
+void PairSearch::drop() {
+  const bool plateau = plateau_;
+  forget();
+  plateau_ = plateau;
+  found_.clear();
 }
 
 // What the other modes know is stale. Yet a service may have nothing new to say of models that stand still.

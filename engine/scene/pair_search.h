@@ -94,6 +94,8 @@ class PairSearch {
 
  private:
   void change_mode();
+  void find(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
+  void drop();
   void search_all(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void descend(const Model& body, const Model& tool, const SearchOptions& options, LmdSearch& search);
   void keep_front(const Model& body, const Model& tool, const SearchOptions& options);

@@ -28,6 +28,11 @@ void PairSprings::reserve(std::size_t springs) {
   list_.reserve(springs + 2 * kMostHeld);
 }
 
+std::size_t PairSprings::make_room(std::size_t present) {
+  if (present > last_.capacity()) reserve(2 * present);
+  return present + last_.size() + walls_.list().size() + fade_.list().size();
+}
+
 void PairSprings::move_to(PairSprings& larger) {
   larger = *this;
   std::swap(*this, larger);
@@ -41,7 +46,6 @@ void PairSprings::forget() {
 }
 
 void PairSprings::update(std::span<const Lmd> present, const SpringSituation& situation) {
-  if (!known_) reserve(present.size());
   if (may_lose_ && !situation.may_lose) {  // from now on nothing is lost: what fades ends here
     fade_.forget();
     changing_ = false;

@@ -36,6 +36,9 @@ class PairSprings {
   // Makes room, so that updates with up to so many present springs allocate nothing.
   void reserve(std::size_t springs);
 
+  // Makes room for an update with so many present springs. Returns how many it may list.
+  std::size_t make_room(std::size_t present);
+
   // Moves to `larger`, which has room for all that this has; it gets the memory of this.
   void move_to(PairSprings& larger);
 

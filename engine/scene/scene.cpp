@@ -68,15 +68,18 @@ void Scene::step(double dt) {
   next_.clear();
   forces_.clear();
   time_step_ = dt;
-  next_.step = ++steps_;
+  next_.step = steps_ + 1;
   if (const Body* tool = bodies_.find(tool_)) {
     find_near_bodies(*tool);
     share_budget();
     search_near_bodies(*tool);
-    for (const NearBody& near : near_) collect(near, *tool);
+    for (NearBody& near : near_) list(near, *tool);
+    make_room_for_springs();
+    for (const NearBody& near : near_) push(near, *tool);
     forces_.finish(stiffness_cap(), tool->pose() * tool->options().reference_point, next_);
   }
   next_.search_us = watch.elapsed_us();
+  ++steps_;
   std::swap(contacts_, next_);
 }
 
@@ -122,9 +125,10 @@ void Scene::look_at(BodyId id, Body& body, const Body& tool) {
   }
   const bool springs = fixed_ && !body.against_tool.ready_for_near_minima();
   const ForceLaw law = springs ? ForceLaw::kSprings : options_.law;
-  near_.push_back({id, &body, law,
-                   PairSituation{inverse(body.pose()) * tool.pose(), options_.cutoff, max_overlaps(),
-                                 options_.mode, options_.global_every, steps_, law == ForceLaw::kSmooth}});
+  near_.push_back(
+      {id, &body, law,
+       PairSituation{inverse(body.pose()) * tool.pose(), options_.cutoff, max_overlaps(), options_.mode,
+                     options_.global_every, next_.step, law == ForceLaw::kSmooth}});
 }
 
 // In equal parts, so that no part depends on what another left over.
@@ -160,9 +164,19 @@ void Scene::search_near_bodies(const Body& tool) {
   for (std::size_t piece = 0; piece < near_.size(); ++piece) searches.run(piece, 0);
 }
 
-void Scene::collect(const NearBody& near, const Body& tool) {
-  Body& body = *near.body;
-  const PairSearch& pair = body.against_tool;
+ContactPair Scene::contact_pair(const NearBody& near, const Body& tool) const {
+  const Body& body = *near.body;
+  return {body.mesh(),
+          tool.mesh(),
+          near.id,
+          tool_,
+          body.pose(),
+          spring_law_of(body.options()),
+          std::min(options_.max_overlaps, max_overlaps())};
+}
+
+void Scene::list(NearBody& near, const Body& tool) {
+  const PairSearch& pair = near.body->against_tool;
   if (pair.searched()) {
     ++next_.work.body_pairs;
     next_.work.search.node_pairs += pair.found().work.node_pairs;
@@ -170,20 +184,35 @@ void Scene::collect(const NearBody& near, const Body& tool) {
     next_.work.add(pair.work());
   }
   if (pair.by_descent()) next_.status |= kStatusByDescent;
-  const ContactPair contacts{body.mesh(),
-                             tool.mesh(),
-                             near.id,
-                             tool_,
-                             body.pose(),
-                             spring_law_of(body.options()),
-                             std::min(options_.max_overlaps, max_overlaps())};
-  const std::uint32_t first_set = next_.set_count;
-  append_contacts(pair.found(), contacts, next_);
+  near.first_set = next_.set_count;
+  append_contacts(pair.found(), contact_pair(near, tool), next_);
+}
+
+// Springs go on from step to step, so that no step may be given up once the first of them has gone on.
+void Scene::make_room_for_springs() {
+  if (fixed_) return;
+  std::size_t most = 0;
+  for (const NearBody& near : near_) {
+    const LmdSet& found = near.body->against_tool.found();
+    const std::size_t present = near.law == ForceLaw::kSmooth ? found.near_minima.size() : found.lmds.size();
+    most += near.body->springs.make_room(present);
+  }
+  if (most <= spring_room_) return;
+  law_springs_.reserve(2 * most);
+  forces_.reserve(2 * most);
+  for (Contacts* contacts : {&contacts_, &next_}) contacts->springs.reserve(2 * most);
+  spring_room_ = 2 * most;
+}
+
+void Scene::push(const NearBody& near, const Body& tool) {
+  Body& body = *near.body;
+  const PairSearch& pair = body.against_tool;
   body.springs.update(law_springs_.of(pair.found(), near.law, options_.cutoff),
                       {near.situation.body_from_tool, options_.cutoff, time_step_, options_.fade_time,
                        pair.found().overlapping(), options_.mode == SearchMode::kDescent});
   if (body.springs.is_walled()) next_.status |= kStatusWall;
-  forces_.add(body.springs.list(), contacts, near.law == ForceLaw::kSmooth ? kNoSet : first_set, next_);
+  forces_.add(body.springs.list(), contact_pair(near, tool),
+              near.law == ForceLaw::kSmooth ? kNoSet : near.first_set, next_);
 }
 
 double Scene::stiffness_cap() const {

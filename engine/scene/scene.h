@@ -92,6 +92,7 @@ class Scene {
     Body* body;
     ForceLaw law;
     PairSituation situation;
+    std::uint32_t first_set = 0;  // what its set 0 is called among all contacts
   };
   class Searches;
 
@@ -101,7 +102,10 @@ class Scene {
   void look_at(BodyId id, Body& body, const Body& tool);
   void share_budget();
   void search_near_bodies(const Body& tool);
-  void collect(const NearBody& near, const Body& tool);
+  ContactPair contact_pair(const NearBody& near, const Body& tool) const;
+  void list(NearBody& near, const Body& tool);
+  void make_room_for_springs();
+  void push(const NearBody& near, const Body& tool);
   SpringLaw spring_law_of(const BodyOptions& body) const;
   std::size_t max_overlaps() const;
 
@@ -119,6 +123,7 @@ class Scene {
   std::vector<NearBody> near_;                                   // in the order of slots
   LawSprings law_springs_;
   SpringForces forces_;
+  std::size_t spring_room_ = 0;  // of both, and of the contacts
   Contacts contacts_;
   Contacts next_;
 };

@@ -29,8 +29,7 @@ struct FloatCode {
 };
 
 // A node as a tree keeps it, two in a cache line. The box, the sphere and the cone are rounded outward to
-// what has room: by less than 1/16,000 and the cone's angle by 1/1,000 and a twentieth of a thousandth of a
-// radian.
+// what has room: by less than 1/16,000, and the cone's angle by 1/1,000 and 7e-5 radians.
 struct alignas(32) PackedNode {
   Vec3 centre;
   std::uint32_t link;

@@ -94,6 +94,7 @@ void PlateauGrouper::group(const Mesh& a, const Mesh& b, double touch, std::vect
 
 void PlateauGrouper::fix(std::size_t minima) {
   fixed_ = minima > 0;
+  if (!fixed_) return;
   parents_.reserve(minima);
   grouped_.reserve(minima);
   hubs_.reserve(minima);

@@ -17,17 +17,35 @@ Error failure(ErrorCode code, const std::string& path, int reason) {
 }  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  constexpr int kHow = O_WRONLY | O_CLOEXEC;
+  std::string name = path;  // before there is anything that would be left open
+  bool is_new = true;
+  int descriptor = ::open(path.c_str(), kHow | O_CREAT | O_EXCL, 0666);
+  if (descriptor < 0 && errno == EEXIST) {
+    is_new = false;
+    descriptor = ::open(path.c_str(), kHow | O_CREAT, 0666);
+  }
   if (descriptor < 0)
     return failure(errno == ENOENT ? ErrorCode::kFileNotFound : ErrorCode::kFileWrite, path, errno);
-  return OutputFile(path, descriptor);
+  return OutputFile(std::move(name), descriptor, is_new);
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      is_needless_(std::exchange(other.is_needless_, false)) {}
 
 OutputFile::~OutputFile() {
+  if (is_needless_) ::unlink(path_.c_str());
   static_cast<void>(close());
+}
+
+// What is no regular file, such as a pipe, has nothing to be emptied of.
+Status OutputFile::begin() {
+  if (::ftruncate(descriptor_, 0) != 0 && errno != EINVAL)
+    return failure(ErrorCode::kFileWrite, path_, errno);
+  is_needless_ = false;
+  return Done{};
 }
 
 Status OutputFile::write(std::span<const std::byte> bytes) {

@@ -11,22 +11,28 @@ namespace palpate {
 // A file that is written from its beginning.
 class OutputFile {
  public:
-  // Makes or empties it. Errors: kFileNotFound (no such folder), kFileWrite.
+  // Makes it or opens it as it is. One that was made is removed again if it never begins. Errors:
+  // kFileNotFound (no such folder), kFileWrite.
   static Result<OutputFile> create(const std::string& path);
 
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
+  // Empties it; then it may be written. Errors: kFileWrite.
+  Status begin();
+
   // Errors: kFileWrite.
   Status write(std::span<const std::byte> bytes);
   Status close();  // does nothing if it is closed
 
  private:
-  OutputFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  OutputFile(std::string path, int descriptor, bool is_new)
+      : path_(std::move(path)), descriptor_(descriptor), is_needless_(is_new) {}
 
   std::string path_;
-  int descriptor_;  // -1: closed
+  int descriptor_;    // -1: closed
+  bool is_needless_;  // it was made, and did not begin
 };
 
 }  // namespace palpate

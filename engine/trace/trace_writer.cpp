@@ -24,12 +24,19 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::create(const std::string& path
       std::make_unique<TraceWriter>(std::move(file.value()), std::max(kLeastCells, 4 * largest_tick));
   append_record(TracePrologue{}, writer->buffer_);
   append_record(header, writer->buffer_);
-  writer->flush_if(0);
-  if (writer->error_) return *writer->error_;
   return writer;
 }
 
-void TraceWriter::add(const TraceBody& body) {
+Status TraceWriter::begin() {
+  const std::lock_guard lock(mutex_);
+  if (Status emptied = file_.begin(); !emptied) return emptied;
+  begun_ = true;
+  flush_if(0);
+  if (error_) return *error_;
+  return Done{};
+}
+
+void TraceWriter::add(const TraceBody& body) noexcept {
   const std::lock_guard lock(mutex_);
   attempt([&] {
     TraceBytes bytes;
@@ -99,7 +106,7 @@ void TraceWriter::append_block(std::uint32_t kind, const TraceBytes& bytes) {
 
 // Writes what is buffered, if it is so much.
 void TraceWriter::flush_if(std::size_t bytes) {
-  if (buffer_.size() < bytes) return;
+  if (buffer_.size() < bytes || !begun_) return;
   Status written = file_.write(buffer_);
   if (written) {
     bytes_ += buffer_.size();
@@ -123,7 +130,7 @@ void TraceWriter::attempt(Work&& work) noexcept {
   try {
     work();
   } catch (const std::exception&) {
-    error_.emplace(Error{ErrorCode::kOutOfMemory, ""});
+    error_.emplace(Error{ErrorCode::kOutOfMemory, "out of memory"});
   }
 }
 

@@ -21,7 +21,8 @@ struct TraceCounts {
 // waits to whoever drains it; an error of the file is kept until the end.
 class TraceWriter {
  public:
-  // A tick of `largest_tick` cells must find room at any time. Errors: kFileNotFound, kFileWrite.
+  // A tick of `largest_tick` cells must find room at any time. The file is opened, and nothing else happens
+  // to it before begin(). Errors: kFileNotFound, kFileWrite.
   static Result<std::unique_ptr<TraceWriter>> create(const std::string& path, const TraceHeader& header,
                                                      std::size_t largest_tick);
 
@@ -33,8 +34,11 @@ class TraceWriter {
   bool push(const TraceCell& cell) { return ring_.push(cell); }
   void lose_tick() { lost_.add(1); }
 
+  // Empties the file and writes how it begins. Errors: kFileWrite.
+  Status begin();
+
   // For any thread but a servo: they lock and may allocate, and after an error do nothing but make room.
-  void add(const TraceBody& body);  // before the first tick that knows it
+  void add(const TraceBody& body) noexcept;  // before the first tick that knows it
   void drain() noexcept;
   TraceCounts counts();
 
@@ -57,6 +61,7 @@ class TraceWriter {
   std::mutex mutex_;  // guards what follows, and that one thread at a time takes from the ring
   OutputFile file_;
   std::optional<Error> error_;
+  bool begun_ = false;
   bool finished_ = false;
   TraceBytes tick_;              // the one whose parts are still coming
   std::uint64_t parts_due_ = 0;  // of it

@@ -109,7 +109,7 @@ class InstallTest(unittest.TestCase):
         self.assertTrue(Path(name).is_relative_to(self.environment), name)
         if not SANITIZED:
             self.assert_libraries_stand_alone(Path(name).parent, mapped)
-        self.assert_readme_example_runs(plain_environment(**preload))
+        self.assert_examples_run(plain_environment(**preload))
 
     def assert_libraries_stand_alone(self, package, mapped):
         """What the package loads is in it, or is a system's; so is what any of its libraries asks for."""
@@ -124,8 +124,8 @@ class InstallTest(unittest.TestCase):
                 self.assertTrue(needed in own or SYSTEM.match(needed), f"{library} needs {needed}")
             self.assertRegex(dynamic, r"\(RUNPATH\).*\[\$ORIGIN\]", library)
 
-    def assert_readme_example_runs(self, environment):
-        """The example of README.md, in a folder with nothing but its two models."""
+    def assert_examples_run(self, environment):
+        """That of README.md, in a folder with nothing but its two models, and the force along a path."""
         program, said = re.search(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$",
                                   (BINDINGS.parent / "README.md").read_text(), re.DOTALL | re.MULTILINE).groups()
         clean = self.folder / "clean"
@@ -134,6 +134,10 @@ class InstallTest(unittest.TestCase):
             shutil.copy(MODELS / model, clean)
         done = subprocess.run([self.python, "-c", program], env=environment, cwd=clean, capture_output=True, text=True)
         self.assertEqual(done.stdout, said, done.stderr)
+        shutil.copy(BINDINGS / "python" / "examples" / "force_along_path.py", clean)
+        done = subprocess.run([self.python, "force_along_path.py", "crankshaft_45k.glb", "gear_6k.glb"], env=environment,
+                              cwd=clean, capture_output=True, text=True)
+        self.assertRegex(done.stdout, r"^strongest after \d+\.\d mm: \S+ \S+ \S+ N$", done.stderr)
 
     def test_the_release_build_is_taken(self):
         built = self.tree / "build" / "release" / "capi"

@@ -77,6 +77,7 @@ class Run {
       : loop_({scene.name, scene.body, scene.tool, DVec3(0.0), DVec3(0.3, 0.2, 0.1), false},
               test::Surface::kBody, settings_of(spec, cap)),
         count_(spec.limits.position_resolution),
+        script_(script),
         outcome_(outcome) {
     // One spring alone can push as hard as the hand.
     const double softest =
@@ -92,7 +93,9 @@ class Run {
     if (number < kTransient) return;
     ++outcome_.cycles;
     const double most = loop_.given_to_hand() - given;
-    outcome_.most_given = outcome_.cycles == 1 ? most : std::max(outcome_.most_given, most);
+    // A press rests, which takes and gives nothing.
+    if (script_ != HandScript::kPress)
+      outcome_.most_given = outcome_.most_given == 0.0 ? most : std::max(outcome_.most_given, most);
     outcome_.active += most > 0.5 * stiffest_ * count_ * count_;
   }
 
@@ -108,6 +111,8 @@ class Run {
     outcome_.buzz = std::max(outcome_.buzz, buzz);
     outcome_.deviation = std::max(outcome_.deviation, deviation_of(forces));
     outcome_.loud += buzz > stiffest_ * count_;
+    outcome_.pushed = std::max(outcome_.pushed, pushed_);
+    outcome_.idle += pushed_ == 0.0;
     outcome_.disarmed += loop_.status().safety.state != SafetyState::kArmed;
   }
 
@@ -115,11 +120,14 @@ class Run {
   void tick() {
     loop_.tick();
     stiffest_ = std::max(stiffest_, loop_.felt_stiffness());
+    pushed_ = std::max(pushed_, glm::length(loop_.status().applied.force));
     outcome_.seconds += test::ModelLoop::kTick;
   }
 
   test::ModelLoop loop_;
   const double count_;
+  const HandScript script_;
+  double pushed_ = 0.0;
   double stiffest_ = 0.0;
   HandOutcome& outcome_;
 };

@@ -111,14 +111,13 @@ std::string triangle_table(const std::vector<FamilyReport>& reports) {
 
 std::string hand_table(const std::vector<HandReport>& reports) {
   std::string table =
-      "| scene | simulated | cycles | active | most energy in a cycle | buzz, 100–500 Hz | deviation at rest "
-      "| "
-      "disarmed |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
+      "| scene | simulated | cycles | active | most energy in a cycle | largest force | 100–500 Hz at rest | "
+      "deviation at rest |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const HandReport& report : reports) {
     const HandOutcome& outcome = report.outcome;
-    table += text("| %s | %.1f min | %d | %d | %+.2g mJ | %.1g N | %.1g N | %d |\n", report.scene.c_str(),
+    table += text("| %s | %.1f min | %d | %d | %+.2g mJ | %.2g N | %.1g N | %.1g N |\n", report.scene.c_str(),
                   outcome.seconds / 60, outcome.cycles, outcome.active, 1e3 * outcome.most_given,
-                  outcome.buzz, outcome.deviation, outcome.disarmed);
+                  outcome.pushed, outcome.buzz, outcome.deviation);
   }
   return table;
 }

@@ -12,6 +12,13 @@
  * remark, negative is an error. plp_last_error() has one sentence for the last error of the calling thread.
  * After an error nothing has changed and outputs are untouched, unless a function says otherwise.
  *
+ * **Memory.** A call that is refused memory ends in PLP_ERROR_OUT_OF_MEMORY, and may be made again. While a
+ * glTF file is read or a hierarchy is built, this library has a handler of its own for operator new
+ * (std::set_new_handler), which gives back a reserve and then asks the program's.
+ *
+ * **Processes.** The child of a fork() has none of the threads of this library: it may exec or end, and may
+ * use what had neither threads nor a device of its own at the fork.
+ *
  * **Growing structs.** Structs that may grow start with `struct_size`. Fill one with its `plp_*_init()`,
  * which is told `sizeof` the struct as your program knows it and writes no more than that, and change what
  * you need. A null struct and a size that no version has are left alone. Zero in a field that was appended
@@ -614,7 +621,8 @@ PLP_API plp_result plp_scene_set_friction(plp_scene scene, double friction);
  * its reference point, in the scene's space. Without a tool there are no contacts. The same inputs give the
  * same bits.
  * @return PLP_ERROR_INVALID_HANDLE, _WRONG_STATE (its servo runs) or _OUT_OF_MEMORY; then the last outcome is
- * kept.
+ * kept, and the next step gives what this one would have, in PLP_MODE_DESCENT or under a tick_budget after a
+ * search that begins anew. A device has had its tick all the same, without a new wrench.
  * @threadsafety object @since 0.1
  */
 PLP_API plp_result plp_scene_step(plp_scene scene);
@@ -794,7 +802,8 @@ PLP_API void plp_servo_state_init(plp_servo_state* state, size_t size);
 PLP_API plp_result plp_scene_get_servo(plp_scene scene, plp_servo_state* state);
 
 /** @brief Stops the servos of all scenes, as plp_scene_stop does. It happens by itself when the process
- * exits; closing the library leaves it in memory and its servos running. May be called more than once.
+ * exits; closing the library leaves it in memory and its servos running. May be called more than once; in the
+ * child of a fork() it does nothing.
  *  @return PLP_OK. @threadsafety any @since 0.1 */
 PLP_API plp_result plp_shutdown_all(void);
 
@@ -1132,7 +1141,8 @@ PLP_API void plp_recording_init(plp_recording* recording, size_t size);
  * depends on: poses as the engine has them, bodies, settings. A caller's steps are all recorded; a servo
  * never waits for the file, so steps are lost, and counted, if it is slower than they come. A thread of this
  * library writes it. Replayed from its first step in a new scene, a trace gives the same bits.
- * @param path UTF-8; a file that is there is overwritten. In a folder that is not there: _FILE_NOT_FOUND.
+ * @param path UTF-8; a file that is there is overwritten, and stays as it is where recording is refused for
+ * anything but _FILE_WRITE. In a folder that is not there: _FILE_NOT_FOUND.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it is recorded already),
  * _FILE_NOT_FOUND, _FILE_WRITE, _LIMIT (the system allows no more threads) or _OUT_OF_MEMORY.
  * @threadsafety any @since 0.1

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "engine/base/own_thread.h"
@@ -78,13 +79,21 @@ bool HidLink::hear(HidConnection& connection) {
 
 // Permission may come a moment after the device, so a refusal is no reason to give up.
 void HidLink::connect_again() {
-  auto found = hid_bus::connect(entry_.name, entry_.kind);
-  if (found && found.value() && listener_.accept(*found.value())) {
-    set_connection(std::move(found.value()));
-    heard_ = Stopwatch();
-  } else {
-    woken_.wait(kBetweenTries);
+  bool connected = false;
+  try {
+    connected = connect();
+  } catch (const std::exception&) {
+    // Out of memory: the device stays lost until the next attempt.
   }
+  if (!connected) woken_.wait(kBetweenTries);
+}
+
+bool HidLink::connect() {
+  auto found = hid_bus::connect(entry_.name, entry_.kind);
+  if (!found || !found.value() || !listener_.accept(*found.value())) return false;
+  set_connection(std::move(found.value()));
+  heard_ = Stopwatch();
+  return true;
 }
 
 }  // namespace palpate

@@ -56,6 +56,7 @@ class HidLink {
   void run();
   bool hear(HidConnection& connection);
   void connect_again();
+  bool connect();
   void set_connection(std::shared_ptr<HidConnection> connection);
 
   const HidEntry entry_;

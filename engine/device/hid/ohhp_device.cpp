@@ -78,7 +78,12 @@ OhhpDevice::OhhpDevice(std::shared_ptr<HidConnection> connection, const OhhpFeat
   // Zero is what nothing was heard of yet.
   sequence_.restart(1);
   link_.start();
-  writer_.start();
+  try {
+    writer_.start();
+  } catch (...) {
+    link_.stop();  // while there is still somebody to listen
+    throw;
+  }
 }
 
 OhhpDevice::~OhhpDevice() {

@@ -33,17 +33,33 @@ double now() {
 
 }  // namespace
 
+// While one lives, the scheduler rests.
+class HdScheduler::Rest {
+ public:
+  explicit Rest(HdScheduler& scheduler) : scheduler_(scheduler) { scheduler_.rest(); }
+  ~Rest() { scheduler_.resume(); }
+  Rest(const Rest&) = delete;
+  Rest& operator=(const Rest&) = delete;
+
+ private:
+  HdScheduler& scheduler_;
+};
+
 Status HdScheduler::open(HdDevice& device) {
   const std::lock_guard lock(mutex_);
   if (devices_.size() == kMostDevices)
     return Error{ErrorCode::kLimit, "no more than " + std::to_string(kMostDevices) + " devices may be open"};
   if (Status keeps = start_keeper(); !keeps) return keeps;
   devices_.reserve(kMostDevices);
-  rest();
-  Status connected = device.connect();
-  if (connected) lend(device);
-  resume();
-  return connected;
+  const Rest rest(*this);
+  try {
+    Status connected = device.connect();
+    if (connected) lend(device);
+    return connected;
+  } catch (...) {
+    device.disconnect();
+    throw;
+  }
 }
 
 void HdScheduler::lend(HdDevice& device) {
@@ -198,15 +214,18 @@ void HdScheduler::recover(HdDevice& device) {
       std::any_of(devices_.begin(), devices_.end(), [](HdDevice* any) { return !any->is_lost(); });
   const bool connected = device.is_connected();
   if (!connected && device.unsought(now()) < (others ? kTryAgainBesideOthers : kTryAgain)) return;
-  rest();
-  device.disconnect();
-  const bool found = device.take_up(now());
-  resume();
+  const bool found = sought(device);
   if (found) {
     log(LogLevel::kInfo, device.info().identity.uri + " answers again");
   } else if (connected) {
     log(LogLevel::kWarning, device.info().identity.uri + " does not answer");
   }
+}
+
+bool HdScheduler::sought(HdDevice& device) {
+  const Rest rest(*this);
+  device.disconnect();
+  return device.take_up(now());
 }
 
 }  // namespace palpate

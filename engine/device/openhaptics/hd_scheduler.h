@@ -53,6 +53,8 @@ class HdScheduler {
   }
 
  private:
+  class Rest;
+
   static unsigned int on_tick(void* scheduler);
   void tick();
   double passed();
@@ -70,6 +72,7 @@ class HdScheduler {
 
   void keep();
   void recover(HdDevice& device);
+  bool sought(HdDevice& device);  // and found
 
   std::mutex mutex_;  // guards what follows
   std::vector<HdDevice*> devices_;
