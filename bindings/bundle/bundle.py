@@ -57,7 +57,8 @@ def bundle(library, folder):
         output_of("strip", "--strip-unneeded", copy)
         # One change at a time: patchelf mixes up the values of several.
         output_of("patchelf", "--set-soname", name, copy)
-        for other in set(output_of("patchelf", "--print-needed", copy).split()) & set(needed):
+        asked_for = output_of("patchelf", "--print-needed", copy).split()
+        for other in filter(needed.__contains__, asked_for):
             output_of("patchelf", "--replace-needed", other, plain_name(other), copy)
         output_of("patchelf", "--set-rpath", "$ORIGIN", copy)
     return [library, *needed.values()]

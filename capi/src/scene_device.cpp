@@ -6,11 +6,20 @@ namespace palpate::capi {
 namespace {
 
 constexpr double kLargestScale = 1e9;
+constexpr double kShortestLever = 1e-3, kLongestLever = 1.0;  // metres
 
 // Written so that a NaN is refused.
 double scale(double number, double smallest, const char* name) {
   if (!(number >= smallest && number <= kLargestScale)) refuse_argument(name, " is out of range");
   return number;
+}
+
+DVec3 lever(const double given[3]) {
+  const DVec3 lever(given[0], given[1], given[2]);
+  const double length = glm::length(lever);
+  if (length != 0.0 && !(length >= kShortestLever && length <= kLongestLever))
+    refuse_argument("mapping->torque_lever", " is neither zero nor 0.001 to 1 metre long");
+  return lever;
 }
 
 DeviceMapping mapping_in(const plp_device_mapping& given, const Space& space) {
@@ -23,6 +32,7 @@ DeviceMapping mapping_in(const plp_device_mapping& given, const Space& space) {
   mapping.handle_from_tool = space.pose_in(given.handle_from_tool, "mapping->handle_from_tool");
   mapping.motion_scale = scale(given.motion_scale, 1.0 / kLargestScale, "mapping->motion_scale");
   mapping.force_scale = scale(given.force_scale, 0.0, "mapping->force_scale");
+  mapping.torque_lever = lever(given.torque_lever);
   mapping.clutch = given.clutch_buttons;
   mapping.keep_tool_pose = (given.flags & PLP_DEVICE_KEEP_TOOL_POSE) != 0;
   return mapping;

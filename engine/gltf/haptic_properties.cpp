@@ -108,7 +108,7 @@ void read_nodes(Json& root, HapticProperties& properties) {
     NodeHaptics haptics;
     haptics.material = material_of_extras(node, sentence("node ", i), properties.notes);
     read_physics_of(node, properties, haptics);
-    properties.nodes.push_back(std::move(haptics));
+    properties.nodes.push_back(haptics);
   });
 }
 

@@ -19,7 +19,8 @@ DMat4 affine_from(const std::vector<double>& column_major) {
   DMat4 matrix(1.0);
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
-      const double number = column_major[static_cast<std::size_t>(4 * column + row)];
+      const int at = 4 * column + row;
+      const double number = column_major[static_cast<std::size_t>(at)];
       if (row < 3) {
         matrix[column][row] = number;
       } else if (std::abs(number - (column == 3 ? 1.0 : 0.0)) > kAffineTolerance) {

@@ -56,7 +56,7 @@ fs::path resolve_uri(std::string_view uri, const fs::path& folder) {
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
   if (error) fail(ErrorCode::kFileNotFound, "folder ", quoted(folder.string()), ": ", error.message());
-  const fs::path path = fs::weakly_canonical(root / relative, error);
+  fs::path path = fs::weakly_canonical(root / relative, error);
   if (error) fail(ErrorCode::kFileRead, "URI ", quoted(uri), ": ", error.message());
   if (!is_inside(path, root)) refuse(uri, "leads out of the folder");
   return path;

@@ -65,8 +65,8 @@ class NearGrid {
     std::uint32_t earliest = kNone;
     const std::array<double, 3> centre = cell_of(position);
     for (int i = 0; i < 27; ++i) {
-      const std::array<double, 3> cell{centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1,
-                                       centre[2] + i / 9 - 1};
+      const int column = i % 3, row = i / 3 % 3, layer = i / 9;
+      const std::array<double, 3> cell{centre[0] + column - 1, centre[1] + row - 1, centre[2] + layer - 1};
       for (std::uint32_t v = heads_[bucket(cell)]; v != kNone; v = next_[v])
         if (v < earliest && glm::distance(DVec3(positions_[v]), DVec3(position)) <= tolerance_) earliest = v;
     }

@@ -19,6 +19,10 @@ constexpr double kSearchesAhead = 3.0;
 constexpr double kLeastAhead = 0.1;
 constexpr double kMostAhead = 2.0;
 
+// A tool that has moved by less than this share of the cutoff since a search is not searched anew: it would
+// take a processor for as long as a hand trembles.
+constexpr double kTremble = 0.01;
+
 // How much less parallel a plateau may become before it is one no more: as PairSearch has it.
 constexpr double kPlateauHysteresis = 4.0;
 
@@ -26,8 +30,8 @@ std::size_t overlap_limit(const SceneOptions& options) {
   return std::clamp<std::size_t>(options.max_overlaps, 1, kMostListed.overlaps);
 }
 
-bool same(const Pose& one, const Pose& other) {
-  return one.rotation == other.rotation && one.translation == other.translation;
+Placement placement_of(const Survey& survey, const Survey::NearBody& body, const Pose& body_from_tool) {
+  return {body.model->mesh().frame, survey.tool_model->mesh().frame, body_from_tool};
 }
 
 }  // namespace
@@ -42,7 +46,7 @@ bool GlobalSearch::run(const Survey& survey) {
     if (survey.options.mode == SearchMode::kDescent) {
       worked |= search(survey, body, pair);
     } else {
-      pair.searched.reset();
+      pair.searched_cutoff.reset();
     }
   }
   let_go_of_far_pairs();
@@ -50,7 +54,10 @@ bool GlobalSearch::run(const Survey& survey) {
 }
 
 bool GlobalSearch::prepare(const Survey& survey, const Survey::NearBody& body, Pair& pair) {
-  if (pair.tool != survey.tool) pair.live = nullptr;
+  if (pair.tool != survey.tool) {
+    pair.live = nullptr;
+    pair.searched_cutoff.reset();
+  }
   const bool outgrown = pair.live && pair.live->grant_room();
   const bool near_minima = survey.options.law == ForceLaw::kSmooth;
   if (pair.live && !outgrown && (pair.near_minima || !near_minima)) return false;
@@ -85,11 +92,11 @@ bool GlobalSearch::prepare(const Survey& survey, const Survey::NearBody& body, P
 
 bool GlobalSearch::search(const Survey& survey, const Survey::NearBody& body, Pair& pair) {
   const Pose body_from_tool = inverse(body.pose) * survey.tool_pose;
-  if (pair.searched && same(pair.searched->body_from_tool, body_from_tool) &&
-      pair.searched->cutoff == survey.options.cutoff)
-    return false;
+  const double cutoff = survey.options.cutoff;
+  const double moved = moved_since_search(survey, body, body_from_tool, pair);
+  if (pair.searched_cutoff == cutoff && moved <= kTremble * cutoff) return false;
   SearchOptions options;
-  options.cutoff = search_radius(survey, body, body_from_tool, pair);
+  options.cutoff = cutoff + std::clamp(kSearchesAhead * moved, kLeastAhead * cutoff, kMostAhead * cutoff);
   options.max_overlaps = overlap_limit(survey.options);
   if (pair.plateau) options.parallel_tolerance *= kPlateauHysteresis;
 
@@ -100,27 +107,25 @@ bool GlobalSearch::search(const Survey& survey, const Survey::NearBody& body, Pa
   draft.step = survey.step;
   draft.search_us = watch.elapsed_us();
   pair.plateau = draft.found.has_plateau();
-  pair.searched = Searched{body_from_tool, survey.options.cutoff};
+  pair.searched_cutoff = cutoff;
+  pair.searched_at->start(placement_of(survey, body, body_from_tool));
   pair.live->publish();
   searches_.add(1);
   return true;
 }
 
-double GlobalSearch::search_radius(const Survey& survey, const Survey::NearBody& body,
-                                   const Pose& body_from_tool, Pair& pair) {
+// In metres, at most; none if there was no search.
+double GlobalSearch::moved_since_search(const Survey& survey, const Survey::NearBody& body,
+                                        const Pose& body_from_tool, Pair& pair) {
   const ModelFrame &to = body.model->mesh().frame, &from = survey.tool_model->mesh().frame;
-  const Placement placement(to, from, body_from_tool);
-  const double cutoff = survey.options.cutoff;
-  double moved = 0.0;
-  if (pair.odometer && pair.searched) {
-    pair.odometer->advance(placement);
-    moved = pair.odometer->rate().distance() * to.scale;
-  } else {
-    pair.odometer.emplace((survey.tool_model->centre() - from.origin) / from.scale,
-                          (survey.tool_model->radius() + cutoff) / to.scale);
-    pair.odometer->start(placement);
+  if (!pair.searched_at || !pair.searched_cutoff) {
+    pair.searched_at.emplace((survey.tool_model->centre() - from.origin) / from.scale,
+                             (survey.tool_model->radius() + survey.options.cutoff) / to.scale);
+    return 0.0;
   }
-  return cutoff + std::clamp(kSearchesAhead * moved, kLeastAhead * cutoff, kMostAhead * cutoff);
+  Odometer from_there = *pair.searched_at;
+  from_there.advance(placement_of(survey, body, body_from_tool));
+  return from_there.rate().distance() * to.scale;
 }
 
 void GlobalSearch::let_go_of_far_pairs() {

@@ -12,9 +12,9 @@
 namespace palpate {
 
 // What is done beside the servo, [JW04] section 3.6: pairs that come near are made ready, with their trees
-// built, their first search done and their memory fixed; while descending, every near pair is searched from
-// scratch as often as it can be. Ours also prepares the other modes, because a servo that may not allocate
-// can begin no search of its own.
+// built, their first search done and their memory fixed; while descending, every near pair that moves is
+// searched from scratch as often as it can be. Ours also prepares the other modes, because a servo that may
+// not allocate can begin no search of its own.
 class GlobalSearch {
  public:
   // What is ready is posted to the servo.
@@ -27,26 +27,21 @@ class GlobalSearch {
   std::uint64_t searches() const { return searches_.value(); }
 
  private:
-  // What a search from scratch was for.
-  struct Searched {
-    Pose body_from_tool;
-    double cutoff;
-  };
   struct Pair {
     std::shared_ptr<LivePair> live;
     BodyId tool = 0;
     Room room;
     bool near_minima = false;
-    std::uint64_t near_in = 0;  // round
-    std::optional<Searched> searched;
-    std::optional<Odometer> odometer;
+    std::uint64_t near_in = 0;              // round
+    std::optional<double> searched_cutoff;  // of the last search from scratch
+    std::optional<Odometer> searched_at;    // begins there
     bool plateau = false;
   };
 
   bool prepare(const Survey& survey, const Survey::NearBody& body, Pair& pair);
   bool search(const Survey& survey, const Survey::NearBody& body, Pair& pair);
-  double search_radius(const Survey& survey, const Survey::NearBody& body, const Pose& body_from_tool,
-                       Pair& pair);
+  static double moved_since_search(const Survey& survey, const Survey::NearBody& body,
+                                   const Pose& body_from_tool, Pair& pair);
   void let_go_of_far_pairs();
 
   Mailbox& to_servo_;

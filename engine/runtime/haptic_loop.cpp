@@ -24,6 +24,7 @@ bool HapticLoop::attach(std::shared_ptr<GuardedDevice> device, const DeviceMappi
 std::shared_ptr<GuardedDevice> HapticLoop::exchange(std::shared_ptr<GuardedDevice> device,
                                                     const DeviceMapping& mapping) {
   grip_ = ToolGrip(mapping);
+  lever_ = device ? TorqueLever(mapping.torque_lever, device->info()) : TorqueLever();
   scene_.set_device_stiffness(stiffness_at_tool(device.get(), mapping));
   wanted_ = {};
   if (device_ && device != device_) {
@@ -35,14 +36,15 @@ std::shared_ptr<GuardedDevice> HapticLoop::exchange(std::shared_ptr<GuardedDevic
 
 void HapticLoop::tick(double dt) {
   if (!device_) return scene_.step(dt);
-  move_tool(device_->read());
+  const DeviceState& state = device_->read();
+  move_tool(state);
   try {
     scene_.step(dt);
   } catch (...) {
     device_->write(wanted_, false, dt);
     throw;
   }
-  wanted_ = felt();
+  wanted_ = felt(state.tool.orientation);
   device_->write(wanted_, true, dt);
 }
 
@@ -52,10 +54,11 @@ void HapticLoop::move_tool(const DeviceState& state) {
   if (tool && is_finite(state)) scene_.set_pose(scene_.tool(), grip_.follow(state, tool->pose()));
 }
 
-DeviceWrench HapticLoop::felt() const {
+DeviceWrench HapticLoop::felt(const DQuat& handle) const {
   const Body* tool = scene_.find(scene_.tool());
   if (!tool) return {};
-  return grip_.on_hand(scene_.contacts().wrench, tool->pose() * tool->options().reference_point);
+  const DVec3 reference = tool->pose() * tool->options().reference_point;
+  return lever_.felt(grip_.on_hand(scene_.contacts().wrench, reference), handle);
 }
 
 }  // namespace palpate

@@ -4,6 +4,7 @@
 
 #include "engine/device/guarded_device.h"
 #include "engine/runtime/tool_grip.h"
+#include "engine/runtime/torque_lever.h"
 #include "engine/scene/scene.h"
 
 namespace palpate {
@@ -37,11 +38,12 @@ class HapticLoop {
 
  private:
   void move_tool(const DeviceState& state);
-  DeviceWrench felt() const;
+  DeviceWrench felt(const DQuat& handle) const;
 
   Scene& scene_;
   std::shared_ptr<GuardedDevice> device_;
   ToolGrip grip_{DeviceMapping{}};
+  TorqueLever lever_;
   DeviceWrench wanted_;
 };
 

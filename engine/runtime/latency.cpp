@@ -27,7 +27,7 @@ double Latency::percentile_us(double share) const {
 // Below kPerDoubling a bucket is one nanosecond; from there on the highest bit and the three after it.
 std::size_t Latency::bucket_of(std::uint64_t nanoseconds) {
   if (nanoseconds < kPerDoubling) return nanoseconds;
-  const int shift = std::bit_width(nanoseconds) - 4;
+  const int shift = static_cast<int>(std::bit_width(nanoseconds)) - 4;
   const std::size_t bucket = kPerDoubling * static_cast<std::size_t>(shift) + (nanoseconds >> shift);
   return std::min(bucket, kBuckets - 1);
 }

@@ -335,7 +335,7 @@ Status LiveScene::stop_recording(Recording& outcome) {
     ended = std::move(recording_);
   }
   done->wait(kLongestWait);
-  const Status status = finished(*ended);
+  Status status = finished(*ended);
   outcome = ended->state();
   return status;
 }

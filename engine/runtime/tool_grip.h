@@ -17,6 +17,7 @@ struct DeviceMapping {
   double force_scale = 1.0;     // newtons on the hand for a newton on the tool; not negative
   std::uint32_t clutch = 0;     // buttons: while all are held the tool is let go; none: no clutch
   bool keep_tool_pose = false;  // take the tool up where it is, rather than moving it into the hand
+  DVec3 torque_lever{0.0};      // of a TorqueLever, metres in the handle's frame; zero: none
 };
 
 // The tool in the handle: where it goes when the handle moves, and what the hand then feels. While the clutch

@@ -116,10 +116,10 @@ void TraceWriter::flush_if(std::size_t bytes) {
   }
   buffered_ticks_ = 0;
   buffer_.clear();
-  keep(std::move(written));
+  keep(written);
 }
 
-void TraceWriter::keep(Status outcome) {
+void TraceWriter::keep(const Status& outcome) {
   if (!outcome && !error_) error_ = outcome.error();
 }
 

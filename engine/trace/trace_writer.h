@@ -50,7 +50,7 @@ class TraceWriter {
   void end_tick();
   void append_block(std::uint32_t kind, const TraceBytes& bytes);
   void flush_if(std::size_t bytes);
-  void keep(Status outcome);
+  void keep(const Status& outcome);
   TraceCounts count() const { return {ticks_, lost_.value() + dropped_, bytes_}; }
   template <class Work>
   void attempt(Work&& work) noexcept;

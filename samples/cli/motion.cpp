@@ -1,5 +1,6 @@
 #include "samples/cli/motion.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace palpate::cli {
@@ -14,14 +15,31 @@ bool is_trace(const std::string& path) {
 
 }  // namespace
 
+std::vector<plp_trace_body> body_and_tool() {
+  std::vector<plp_trace_body> bodies(2);
+  bodies[0].kind = PLP_BODY_STATIC;
+  bodies[1].kind = PLP_BODY_TOOL;
+  return bodies;
+}
+
+plp_body_options body_options(const plp_trace_body& recorded) {
+  plp_body_options options;
+  plp_body_options_init(&options, sizeof options);
+  options.kind = static_cast<plp_body_kind>(recorded.kind);
+  options.stiffness = recorded.stiffness;
+  options.damping = recorded.damping;
+  options.friction = recorded.friction;
+  options.intangible = recorded.intangible;
+  std::copy_n(recorded.reference_point, 3, options.reference_point);
+  return options;
+}
+
 Motion::Motion(const std::string& path) {
   if (is_trace(path)) {
     open_trace(path);
   } else {
     poses_ = read_trajectory(path);
-    bodies_.resize(2);
-    bodies_[0].kind = PLP_BODY_STATIC;
-    bodies_[1].kind = PLP_BODY_TOOL;
+    bodies_ = body_and_tool();
   }
 }
 

@@ -9,6 +9,12 @@
 
 namespace palpate::cli {
 
+// One that stands still and a tool, as a scene makes them that is told no more.
+std::vector<plp_trace_body> body_and_tool();
+
+// To add a body like that, without model and pose.
+plp_body_options body_options(const plp_trace_body& recorded);
+
 // How a tool moves past other bodies: rows of a CSV file, or the steps of a trace.
 class Motion {
  public:

@@ -1,6 +1,5 @@
 #include "samples/cli/stage.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace palpate::cli {
@@ -113,15 +112,8 @@ plp_contacts Stage::contacts() const {
 }
 
 plp_body Stage::add(plp_model model, const plp_trace_body& recorded) {
-  plp_body_options options;
-  plp_body_options_init(&options, sizeof options);
-  options.kind = static_cast<plp_body_kind>(recorded.kind);
+  plp_body_options options = body_options(recorded);
   options.model = model;
-  options.stiffness = recorded.stiffness;
-  options.damping = recorded.damping;
-  options.friction = recorded.friction;
-  options.intangible = recorded.intangible;
-  std::copy_n(recorded.reference_point, 3, options.reference_point);
   plp_body body = 0;
   check(plp_scene_add_body(scene_.get(), &options, &body));
   return body;

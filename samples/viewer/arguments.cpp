@@ -18,6 +18,7 @@ struct Words {
   std::string models = PALPATE_ASSETS_DIR;
   std::string device;
   std::string motion;
+  std::string replay;
   std::string mode;
   std::string law;
   std::string up;
@@ -37,14 +38,14 @@ void add_models(CLI::App& app, Arguments& arguments, Words& words) {
   app.add_option("--up", words.up, "x, y or z: where up is, from where the tool comes down");
 }
 
-void add_hand(CLI::App& app, Arguments& arguments, Words& words) {
+void add_hand(CLI::App& app, Words& words) {
   app.add_option("--device", words.device,
                  "Its URI, as palpate devices lists it, or none; without --replay it is sim:premium6dof");
   app.add_option("--motion", words.motion,
                  "hold (keys and mouse lead the simulated hand), tap, press, slide or orbit");
-  app.add_option("--replay", arguments.replay,
-                 "CSV of poses, t,px,py,pz,qx,qy,qz,qw: the tool goes there, a row a tick; with --device its "
-                 "simulated hand follows them");
+  app.add_option("--replay", words.replay,
+                 "CSV of poses, t,px,py,pz,qx,qy,qz,qw, or a trace: the tool goes there, a row a tick; with "
+                 "--device its simulated hand follows them");
 }
 
 void add_contact(CLI::App& app, Settings& settings, Words& words) {
@@ -53,8 +54,8 @@ void add_contact(CLI::App& app, Settings& settings, Words& words) {
   app.add_option("--stiffness", settings.stiffness, "N/m of the springs")->check(CLI::NonNegativeNumber);
   app.add_option("--damping", settings.damping, "N·s/m that a spring adds while it closes")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--stiffness-cap", settings.stiffness_cap, "N/m of all springs together; 0 for no cap")
-      ->check(CLI::NonNegativeNumber);
+  app.add_option("--stiffness-cap", settings.stiffness_cap,
+                 "N/m of all springs together; 0 for what the device can, negative for no cap");
   app.add_option("--friction", settings.friction, "Coulomb's coefficient")->check(CLI::NonNegativeNumber);
   app.add_option("--mode", words.mode, "global, descent or certified");
   app.add_option("--law", words.law, "smooth or springs");
@@ -67,9 +68,14 @@ void add_output(CLI::App& app, Arguments& arguments, Words& words) {
   app.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Milliseconds of the scene in a frame")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
+  app.add_option(
+         "--runs", arguments.runs,
+         "Make the same film so often, and keep each tick's least times: a busy machine spoils few twice")
+      ->check(CLI::Range(1, 100));
   app.add_flag("--stepped", arguments.stepped, "Step the scene in the window's frames instead of a servo");
   app.add_flag("--threaded", words.threaded, "Without a window, too, a servo steps the scene in real time");
   app.add_option("--screenshot", arguments.screenshot, "Write the last frame as PNG");
+  app.add_option("--record", arguments.record, "Write a trace of all steps, which --replay takes");
   app.add_option("--log", arguments.log, "Write a CSV row for each tick, as palpate run --out does");
   app.add_option("--graphs", arguments.graphs, "Draw times, pairs and force over time as SVG");
   app.add_option("--size", words.size, "Width and height in pixels")
@@ -96,7 +102,7 @@ Placement placement_of(const std::vector<double>& numbers) {
 
 void apply(const Words& words, Arguments& arguments) {
   if (words.device != "none") arguments.device = words.device;
-  if (words.device.empty() && arguments.replay.empty()) arguments.device = "sim:premium6dof";
+  if (words.device.empty() && !arguments.replay) arguments.device = "sim:premium6dof";
   if (!words.motion.empty()) arguments.motion = motion_of(words.motion);
   if (!words.mode.empty()) arguments.settings.mode = cli::mode_of(words.mode);
   if (!words.law.empty()) arguments.settings.law = cli::law_of(words.law);
@@ -106,6 +112,8 @@ void apply(const Words& words, Arguments& arguments) {
   // Without a device nothing but the frames says when the tool moves on.
   arguments.stepped =
       arguments.device.empty() || (!words.threaded && (arguments.stepped || arguments.headless));
+  if (arguments.runs > 1 && !(arguments.headless && arguments.stepped))
+    throw cli::Failure("--runs needs --headless without --threaded: only then runs are the same");
   if (arguments.headless && (arguments.scene.empty() || arguments.tool.empty()))
     throw cli::Failure("--headless needs a scene and a tool, or an --experiment");
 }
@@ -116,7 +124,7 @@ bool parse(int argc, char** argv, Arguments& arguments, Words& words) {
   app.name("palpate-viewer");
   app.set_version_flag("--version", plp_version_string());
   add_models(app, arguments, words);
-  add_hand(app, arguments, words);
+  add_hand(app, words);
   add_contact(app, arguments.settings, words);
   add_output(app, arguments, words);
   try {
@@ -130,18 +138,27 @@ bool parse(int argc, char** argv, Arguments& arguments, Words& words) {
   }
 }
 
+// What the words ask for before all else that the command line says.
+Arguments prepared(const Words& words) {
+  Arguments arguments;
+  if (!words.experiment.empty()) arguments = experiment(words.experiment, words.models);
+  if (words.replay.empty()) return arguments;
+  arguments.replay = std::make_shared<const cli::Motion>(words.replay);
+  if (arguments.replay->bodies().size() != 2)
+    throw cli::Failure(words.replay + ": is of more bodies than a tool and one other");
+  if (arguments.replay->recorded()) arguments.settings = settings_of(arguments.replay->options());
+  return arguments;
+}
+
 }  // namespace
 
 std::optional<Arguments> parse_arguments(int argc, char** argv) {
   Arguments arguments;
   Words words;
   if (!parse(argc, argv, arguments, words)) return std::nullopt;
-  if (!words.experiment.empty()) {
-    // What the command line says goes before what the experiment says.
-    arguments = experiment(words.experiment, words.models);
-    words = Words();
-    parse(argc, argv, arguments, words);
-  }
+  arguments = prepared(words);
+  words = Words();
+  parse(argc, argv, arguments, words);
   apply(words, arguments);
   return arguments;
 }

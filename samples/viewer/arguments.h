@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "samples/cli/motion.h"
 #include "samples/viewer/motion.h"
 #include "samples/viewer/settings.h"
 
@@ -19,13 +21,15 @@ struct Arguments {
   std::optional<Placement> pose;  // where the tool begins, instead of near the scene
   std::string device;             // empty: none, the tool goes where poses say
   MotionKind motion = MotionKind::kHold;
-  std::string replay;  // a CSV file of poses; empty: none
+  std::shared_ptr<const cli::Motion> replay;  // where the tool goes; null: none
   Settings settings;
   bool headless = false;
   bool stepped = false;            // in the frames: the same ticks are the same bits
   std::optional<unsigned> frames;  // none: as many as a replay has, or a few seconds
   unsigned ticks_per_frame = 16;
+  unsigned runs = 1;       // of the same film; each tick's times are the least
   std::string screenshot;  // files to write; empty: none
+  std::string record;
   std::string log;
   std::string graphs;
   int width = 1280;

@@ -15,10 +15,10 @@ double share_of(double amount, double most) {
 void add_lmd(const plp_lmd& lmd, double cutoff, double normal, double pixel, Glyphs& glyphs) {
   const Vec3 a = vector_of(lmd.point_a), b = vector_of(lmd.point_b);
   const Colour colour = colour_of_distance(lmd.distance / cutoff);
-  glyphs.rod(a, b, 1.6 * pixel, colour);
-  glyphs.ball(a, 3.0 * pixel, colour);
-  glyphs.ball(b, 3.0 * pixel, colour);
-  glyphs.rod(b, b + normal * vector_of(lmd.normal), 0.7 * pixel, kNormalColour);
+  glyphs.rod(a, b, 2.2 * pixel, colour);
+  glyphs.ball(a, 4.5 * pixel, colour);
+  glyphs.ball(b, 4.5 * pixel, colour);
+  glyphs.rod(b, b + normal * vector_of(lmd.normal), 1.1 * pixel, kNormalColour);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Colour colour_of_distance(double share) {
 
 void add_contacts(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs) {
   const double size = std::min(content.scene->diagonal(), content.tool->diagonal());
-  for (const plp_lmd& lmd : state.lmds) add_lmd(lmd, state.cutoff, 0.05 * size, pixel, glyphs);
+  for (const plp_lmd& lmd : state.lmds) add_lmd(lmd, state.cutoff, 0.08 * size, pixel, glyphs);
 }
 
 void add_wrench(const FrameState& state, const Content& content, double pixel, Glyphs& glyphs) {

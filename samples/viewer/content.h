@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "samples/viewer/workplace.h"
 
@@ -13,7 +12,6 @@ struct Content {
   std::shared_ptr<const ModelFile> scene;
   std::shared_ptr<const ModelFile> tool;
   Workplace place;  // once both are there
-  std::vector<cli::TimedPose> replay;
 
   bool complete() const { return scene && tool; }
 };

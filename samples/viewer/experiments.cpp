@@ -29,7 +29,7 @@ constexpr Experiment kExperiments[] = {
      false,
      {0, 1, 0},
      {-1.047, 0, 0},
-     0.0,
+     0.06,
      MotionKind::kSlide},
     {"spring-teapot",
      "spring_23k",

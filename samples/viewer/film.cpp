@@ -28,6 +28,32 @@ class Film {
   }
 
   void run() {
+    run_once();
+    for (unsigned i = 1; i < arguments_.runs; ++i) {
+      viewer_.begin_anew();
+      run_once();
+    }
+  }
+
+  void write() {
+    if (!arguments_.screenshot.empty()) {
+      draw();
+      draw();  // panels have their sizes only now
+      write_screenshot(arguments_.screenshot, arguments_.width, arguments_.height);
+    }
+    viewer_.end_recording();
+    if (!arguments_.log.empty()) viewer_.write_log(arguments_.log);
+    if (!arguments_.graphs.empty()) viewer_.write_graphs(arguments_.graphs);
+    std::cout << viewer_.summary() << '\n';
+    if (!arguments_.stepped) std::cout << viewer_.frames_summary() << '\n';
+    say("screenshot", arguments_.screenshot);
+    say("trace", arguments_.record);
+    say("force log", arguments_.log);
+    say("graphs", arguments_.graphs);
+  }
+
+ private:
+  void run_once() {
     auto due = std::chrono::steady_clock::now();
     for (unsigned i = 0; goes_on(i); ++i) {
       viewer_.update({}, kFrame);
@@ -39,24 +65,9 @@ class Film {
     }
   }
 
-  void write() {
-    if (!arguments_.screenshot.empty()) {
-      draw();
-      draw();  // panels have their sizes only now
-      write_screenshot(arguments_.screenshot, arguments_.width, arguments_.height);
-    }
-    if (!arguments_.log.empty()) viewer_.write_log(arguments_.log);
-    if (!arguments_.graphs.empty()) viewer_.write_graphs(arguments_.graphs);
-    std::cout << viewer_.summary() << '\n';
-    say("screenshot", arguments_.screenshot);
-    say("force log", arguments_.log);
-    say("graphs", arguments_.graphs);
-  }
-
- private:
   bool goes_on(unsigned frame) const {
     if (arguments_.frames) return frame < *arguments_.frames;
-    const bool ends_by_itself = !arguments_.replay.empty() && arguments_.device.empty();
+    const bool ends_by_itself = arguments_.replay && arguments_.device.empty();
     return ends_by_itself ? !viewer_.finished() : frame < kFrames;
   }
 

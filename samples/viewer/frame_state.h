@@ -19,6 +19,7 @@ struct FrameState {
   std::optional<plp_device_state> device;
   std::optional<plp_device_info> device_info;
   plp_servo_state servo;
+  plp_recording recording;
   double cutoff;  // metres, as it is set now
   bool runs;      // its servo
   bool paused;

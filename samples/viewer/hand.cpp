@@ -12,19 +12,19 @@ constexpr double kLong = 600.0;  // s of a script; longer than anybody watches
 
 Hand::Hand(const Content& content, Rig& rig)
     : content_(content), rig_(rig), kind_(content.arguments.motion), held_(content.place.start) {
-  if (content.replay.empty()) {
-    begin(kind_);
+  if (content.arguments.replay) {
+    follow(content.arguments.replay->poses());
   } else {
-    follow(content.replay);
+    begin(kind_);
   }
 }
 
 void Hand::before_step(std::uint64_t tick) {
   if (rig_.has_device()) return;
-  if (content_.replay.empty()) return rig_.place_tool(pose_of(wanted()));
+  const cli::Motion* replay = content_.arguments.replay.get();
+  if (!replay) return rig_.place_tool(pose_of(wanted()));
   // A row a step, whatever its time, as `palpate run` does it.
-  const auto row = std::min<std::size_t>(tick, poses_.size() - 1);
-  rig_.place_tool(poses_[row].pose);
+  rig_.follow(*replay, std::min<std::size_t>(tick, replay->poses().size() - 1));
 }
 
 void Hand::move(const Vec3& by, const Vec3& turn, double seconds) {

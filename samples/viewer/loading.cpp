@@ -26,7 +26,6 @@ std::optional<Content> Loading::finished() {
 
 Content Loading::load(Arguments arguments, Content before) {
   Content content;
-  if (!arguments.replay.empty()) content.replay = cli::read_trajectory(arguments.replay);
   const Arguments& had = before.arguments;
   content.scene = had.scene == arguments.scene ? before.scene : nullptr;
   if (!content.scene) content.scene = file(arguments.scene, 1.0, "scene");
@@ -35,7 +34,8 @@ Content Loading::load(Arguments arguments, Content before) {
   if (!content.tool) content.tool = file(arguments.tool, arguments.tool_scale, "tool");
   if (content.scene && arguments.settings.cutoff == 0.0)
     arguments.settings.cutoff = kCutoffShare * content.scene->diagonal();
-  if (!content.replay.empty() && !arguments.pose) arguments.pose = placement_of(content.replay.front().pose);
+  if (arguments.replay && !arguments.pose)
+    arguments.pose = placement_of(arguments.replay->poses().front().pose);
   if (content.complete()) {
     enter("Bringing the tool to the scene");
     content.place = find_workplace(arguments, *content.scene, *content.tool);

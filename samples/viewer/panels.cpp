@@ -87,13 +87,22 @@ bool slider(const char* name, double& value, double low, double high, const char
   return changed;
 }
 
+// At the left end of the slider there is no cap, and next to it the device's.
+void draw_cap(double& cap) {
+  constexpr double kNone = -200.0, kDevice = 50.0;
+  double shown = cap < 0.0 ? kNone : cap;
+  const char* const format = cap < 0.0 ? "none" : cap > 0.0 ? "%.0f N/m" : "the device's";
+  if (!slider("cap", shown, kNone, 3000.0, format, 1.0)) return;
+  cap = shown < 0.5 * kNone ? -1.0 : shown < kDevice ? 0.0 : shown;
+}
+
 void draw_settings(const PanelView& view, Settings& settings) {
   heading("CONTACT");
   const double diagonal = view.content.scene ? view.content.scene->diagonal() : 1.0;
   slider("cutoff", settings.cutoff, 1e-3 * diagonal, 0.06 * diagonal, "%.2f mm", 1e-3);
   slider("stiffness", settings.stiffness, 0.0, 3000.0, "%.0f N/m", 1.0);
   slider("damping", settings.damping, 0.0, 5.0, "%.2f N s/m", 1.0);
-  slider("cap", settings.stiffness_cap, 0.0, 3000.0, settings.stiffness_cap > 0.0 ? "%.0f N/m" : "none", 1.0);
+  draw_cap(settings.stiffness_cap);
   slider("friction", settings.friction, 0.0, 1.0, "%.2f", 1.0);
   ImGui::SetNextItemWidth(148.0f);
   ImGui::Combo("law", &settings.law, "springs\0smooth\0");
@@ -169,6 +178,11 @@ void draw_controls(const FrameState& state, PanelChoices& choices) {
   button("CSV", Command::kExport, choices);
   ImGui::SameLine();
   button("Graphs", Command::kGraphs, choices);
+  ImGui::SameLine();
+  button(state.recording.running ? "Stop###record" : "Record###record", Command::kRecord, choices);
+  if (state.recording.running)
+    row("recorded", "%llu steps, lost %llu", static_cast<unsigned long long>(state.recording.ticks),
+        static_cast<unsigned long long>(state.recording.lost));
 }
 
 void draw_left(const PanelView& view, PanelChoices& choices) {
@@ -190,7 +204,7 @@ void draw_left(const PanelView& view, PanelChoices& choices) {
            "wheel  nearer   Ctrl  mouse is the hand\n"
            "Space  pause   N  step   R  reset\n"
            "F  screenshot   C  CSV   G  graphs\n"
-           "H  panels   Esc  quit");
+           "T  record   H  panels   Esc  quit");
   ImGui::End();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 
 namespace palpate::viewer {
 namespace {
@@ -13,9 +14,12 @@ constexpr double kTick = 1e-3;  // s
 // A scene of this diagonal is worked on without scaling: it fits into the reach of a desktop device.
 constexpr double kReach = 0.25;
 
-plp_scene_options options_of(const Settings& settings) {
+plp_scene_options options_of(const Arguments& arguments) {
+  const Settings& settings = arguments.settings;
   plp_scene_options options;
   plp_scene_options_init(&options, sizeof options);
+  options.time_step = kTick;
+  if (arguments.replay && arguments.replay->recorded()) options = arguments.replay->options();
   options.cutoff = settings.cutoff;
   options.stiffness = settings.stiffness;
   options.damping = settings.damping;
@@ -23,7 +27,6 @@ plp_scene_options options_of(const Settings& settings) {
   options.friction = settings.friction;
   options.mode = settings.mode;
   options.law = settings.law;
-  options.time_step = kTick;
   return options;
 }
 
@@ -43,11 +46,16 @@ plp_device_mapping mapping_of(const Content& content) {
 }  // namespace
 
 Rig::Rig(const Content& content) : settings_(content.arguments.settings) {
-  const plp_scene_options options = options_of(settings_);
+  const plp_scene_options options = options_of(content.arguments);
   check(plp_scene_create(&options, scene_.receive()));
-  plp_body scene = 0;
-  add(*content.scene, PLP_BODY_STATIC, {}, &scene);
-  add(*content.tool, PLP_BODY_TOOL, content.place.start, &tool_);
+  const cli::Motion* replay = content.arguments.replay.get();
+  if (replay && replay->recorded()) recorded_ = settings_of(replay->options());
+  for (const plp_trace_body& recorded : replay ? replay->bodies() : cli::body_and_tool()) {
+    const bool tool = recorded.kind == PLP_BODY_TOOL;
+    bodies_.push_back(add(tool ? *content.tool : *content.scene, cli::body_options(recorded),
+                          tool ? content.place.start : Placement{}));
+    if (tool) tool_ = bodies_.back();
+  }
   if (!content.arguments.device.empty()) give_to_device(content);
 }
 
@@ -95,6 +103,13 @@ void Rig::place_tool(const plp_pose& tool) {
   check(plp_scene_set_pose(scene_.get(), tool_, &tool));
 }
 
+void Rig::follow(const cli::Motion& motion, std::size_t row) {
+  if (!motion.recorded()) return place_tool(motion.poses()[row].pose);
+  const Settings now = settings_of(motion.tick(row));
+  apply(changed(settings_, std::exchange(recorded_, now), now));
+  motion.place(row, scene_.get(), bodies_);
+}
+
 void Rig::lead_hand(const Placement& from, const Placement& to, double seconds) {
   const std::array times = {0.0, seconds};
   const std::array poses = {pose_of(base_from_tool(from)), pose_of(base_from_tool(to))};
@@ -109,6 +124,24 @@ void Rig::lead_hand(const std::vector<cli::TimedPose>& along) {
     poses.push_back(pose_of(base_from_tool(placement_of(at.pose))));
   }
   check(plp_device_set_hand_poses(device_.get(), times.data(), poses.data(), times.size()));
+}
+
+void Rig::record(const std::string& path) {
+  check(plp_scene_record(scene_.get(), path.c_str()));
+}
+
+plp_recording Rig::stop_recording() {
+  plp_recording recording;
+  plp_recording_init(&recording, sizeof recording);
+  check(plp_scene_stop_recording(scene_.get(), &recording));
+  return recording;
+}
+
+plp_recording Rig::recording() const {
+  plp_recording recording;
+  plp_recording_init(&recording, sizeof recording);
+  check(plp_scene_get_recording(scene_.get(), &recording));
+  return recording;
 }
 
 plp_contacts Rig::contacts() const {
@@ -155,13 +188,12 @@ double Rig::seconds() const {
   return kTick * static_cast<double>(ticks);
 }
 
-void Rig::add(const ModelFile& file, plp_body_kind kind, const Placement& placement, plp_body* body) {
-  plp_body_options options;
-  plp_body_options_init(&options, sizeof options);
-  options.kind = kind;
+plp_body Rig::add(const ModelFile& file, plp_body_options options, const Placement& placement) {
   options.model = file.model.get();
   options.pose = pose_of(placement);
-  check(plp_scene_add_body(scene_.get(), &options, body));
+  plp_body body = 0;
+  check(plp_scene_add_body(scene_.get(), &options, &body));
+  return body;
 }
 
 void Rig::give_to_device(const Content& content) {

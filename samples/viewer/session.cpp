@@ -1,11 +1,14 @@
 #include "samples/viewer/session.h"
 
+#include <algorithm>
+
 #include "samples/cli/contacts.h"
 
 namespace palpate::viewer {
 
-Session::Session(std::shared_ptr<const Content> content, std::size_t remembered)
+Session::Session(std::shared_ptr<const Content> content, std::size_t remembered, const std::string& record)
     : content_(std::move(content)), rig_(*content_), hand_(*content_, rig_), history_(remembered) {
+  if (!record.empty()) rig_.record(record);
   if (!content_->arguments.stepped) rig_.start();
 }
 
@@ -29,7 +32,8 @@ void Session::pause(bool on) {
 }
 
 bool Session::finished() const {
-  return !rig_.has_device() && !content_->replay.empty() && ticks_ >= content_->replay.size();
+  const cli::Motion* replay = content_->arguments.replay.get();
+  return replay && !rig_.has_device() && ticks_ >= replay->poses().size();
 }
 
 FrameState Session::state() const {
@@ -42,6 +46,7 @@ FrameState Session::state() const {
   if (rig_.has_device()) state.device = rig_.device_state();
   if (rig_.has_device()) state.device_info = rig_.device_info();
   state.servo = rig_.servo();
+  state.recording = rig_.recording();
   state.cutoff = rig_.settings().cutoff;
   state.runs = rig_.runs();
   state.paused = paused_;
@@ -54,7 +59,9 @@ void Session::remember() {
   const plp_contacts contacts = rig_.contacts();
   cli::Tick tick{};
   tick.seconds = rig_.seconds();
-  if (!rig_.has_device() && !content_->replay.empty()) tick.seconds = content_->replay[ticks_].seconds;
+  const cli::Motion* replay = content_->arguments.replay.get();
+  if (replay && !rig_.has_device())
+    tick.seconds = replay->poses()[std::min<std::size_t>(ticks_, replay->poses().size() - 1)].seconds;
   tick.lmds = contacts.set_count;
   tick.min_distance = contacts.min_distance;
   tick.wrench = contacts.wrench;

@@ -10,7 +10,8 @@ namespace palpate::viewer {
 // Models that touch: a rig, the hand that moves it, and what has been felt.
 class Session {
  public:
-  Session(std::shared_ptr<const Content> content, std::size_t remembered);
+  // `record`: a file for a trace from the first step on; empty: none.
+  Session(std::shared_ptr<const Content> content, std::size_t remembered, const std::string& record);
 
   // A frame of the window or of the film goes by.
   void advance();

@@ -19,6 +19,7 @@ constexpr std::size_t kRemembered = 60'000;  // ticks: a minute
 constexpr const char* kScreenshot = "palpate-viewer.png";
 constexpr const char* kLog = "palpate-viewer.csv";
 constexpr const char* kGraphs = "palpate-viewer.svg";
+constexpr const char* kTrace = "palpate-viewer.plptrace";
 
 std::string or_else(const std::string& given, const char* otherwise) {
   return given.empty() ? otherwise : given;
@@ -27,12 +28,14 @@ std::string or_else(const std::string& given, const char* otherwise) {
 std::size_t remembered(const Arguments& arguments, const Content& content) {
   if (!arguments.headless) return kRemembered;
   const std::size_t ticks = std::size_t{arguments.frames.value_or(1)} * arguments.ticks_per_frame;
-  return std::max({ticks, content.replay.size(), kRemembered});
+  const cli::Motion* replay = content.arguments.replay.get();
+  return std::max({ticks, replay ? replay->poses().size() : 0, kRemembered});
 }
 
 }  // namespace
 
-Viewer::Viewer(const Arguments& arguments) : arguments_(arguments), content_(std::make_shared<Content>()) {
+Viewer::Viewer(const Arguments& arguments)
+    : arguments_(arguments), content_(std::make_shared<Content>()), record_(arguments.record) {
   choices_.motion = arguments.motion;
   choices_.drop_is_tool = !arguments.scene.empty();
   load(arguments);
@@ -44,16 +47,25 @@ void Viewer::wait_until_loaded() {
   take_up(std::move(content));
 }
 
+void Viewer::begin_anew() {
+  least_ = ticks();
+  reset();
+}
+
 void Viewer::update(const Input& input, double seconds) {
   // What fails keeps nothing else from being done, least of all what a person asks for.
   attempt([&] { poll_loading(); });
   attempt([&] { take_input(input, seconds); });
   attempt([&] {
-    if (session_) session_->advance();
+    if (!session_) return;
+    session_->advance();
+    choices_.settings = session_->rig().settings();  // which a trace may have changed
   });
 }
 
 void Viewer::draw(int width, int height, GLuint framebuffer) {
+  ++frames_;
+  frames_while_loading_ += loading_ ? 1 : 0;
   std::optional<FrameState> state;
   if (session_) state = session_->state();
   picture_.draw(*content_, camera_, state ? &*state : nullptr, width, height, framebuffer);
@@ -89,14 +101,21 @@ void Viewer::write_graphs(const std::string& path) const {
   viewer::write_graphs(path, content_->scene->name + " and " + content_->tool->name + how.data(), ticks());
 }
 
+std::string Viewer::frames_summary() const {
+  return std::to_string(frames_) + " frames were drawn, " + std::to_string(frames_while_loading_) +
+         " of them while models were loaded";
+}
+
 std::string Viewer::summary() const {
+  if (!session_ || session_->history().size() == 0) return "Nothing was felt";
   const cli::RunSummary run = cli::summary_of(ticks());
   std::array<char, 256> text{};
   std::snprintf(
       text.data(), text.size(),
-      "%zu ticks, %zu of them in contact, at most %zu local minimum distances; a tick took p50 %.1f, p99 "
-      "%.1f us",
-      run.ticks, run.ticks_in_contact, run.most_lmds, run.local_us_p50, run.local_us_p99);
+      "%zu ticks, %zu of them in contact, %zu overlapping, at most %zu local minimum distances; a tick took "
+      "p50 %.1f, p99 %.1f us",
+      run.ticks, run.ticks_in_contact, run.ticks_overlapping, run.most_lmds, run.local_us_p50,
+      run.local_us_p99);
   std::string all = text.data();
   const plp_servo_state servo = session_->rig().servo();
   if (servo.ticks == 0) return all;
@@ -164,8 +183,16 @@ void Viewer::look_at_all() {
 
 void Viewer::begin_session() {
   session_.reset();  // gives its device back first
-  session_ = std::make_unique<Session>(content_, remembered(arguments_, *content_));
+  // What is begun anew later would overwrite the trace.
+  const std::string record = std::exchange(record_, "");
+  session_ = std::make_unique<Session>(content_, remembered(arguments_, *content_), record);
   session_->rig().apply(choices_.settings);
+}
+
+void Viewer::reset() {
+  choices_.motion = arguments_.motion;
+  if (arguments_.replay) choices_.settings = content_->arguments.settings;
+  begin_session();
 }
 
 void Viewer::take_input(const Input& input, double seconds) {
@@ -208,7 +235,7 @@ void Viewer::take_dropped(const std::string& path) {
   // What was chosen for other models does not fit these.
   arguments.settings.cutoff = 0.0;
   arguments.pose.reset();
-  arguments.replay.clear();
+  arguments.replay.reset();
   arguments.motion = MotionKind::kHold;
   choices_.drop_is_tool = true;
   load(arguments);
@@ -247,8 +274,7 @@ void Viewer::execute_on_session(Command command) {
       session_->pause(true);
       return session_->step();
     case Command::kReset:
-      choices_.motion = arguments_.motion;
-      return begin_session();
+      return reset();
     case Command::kArm:
       if (session_->rig().has_device())
         session_->rig().arm(session_->rig().device_state().safety == PLP_SAFETY_DISARMED);
@@ -259,6 +285,8 @@ void Viewer::execute_on_session(Command command) {
     case Command::kGraphs:
       write_graphs(graphs);
       return tell("Wrote " + graphs);
+    case Command::kRecord:
+      return record_or_stop();
     case Command::kScreenshot:
     case Command::kPanels:
     case Command::kQuit:
@@ -266,10 +294,27 @@ void Viewer::execute_on_session(Command command) {
   }
 }
 
+void Viewer::record_or_stop() {
+  if (session_->rig().recording().running) return end_recording();
+  const std::string path = or_else(arguments_.record, kTrace);
+  session_->rig().record(path);
+  tell("Recording into " + path);
+}
+
+void Viewer::end_recording() {
+  if (!session_ || !session_->rig().recording().running) return;
+  const plp_recording recording = session_->rig().stop_recording();
+  tell("Recorded " + std::to_string(recording.ticks) + " steps, lost " + std::to_string(recording.lost));
+}
+
 std::vector<cli::Tick> Viewer::ticks() const {
   std::vector<cli::Tick> ticks;
   const History& history = session_->history();
   for (std::size_t i = 0; i < history.size(); ++i) ticks.push_back(history[i]);
+  for (std::size_t i = 0; i < std::min(ticks.size(), least_.size()); ++i) {
+    ticks[i].local_us = std::min(ticks[i].local_us, least_[i].local_us);
+    ticks[i].work.global_us = std::min(ticks[i].work.global_us, least_[i].work.global_us);
+  }
   return ticks;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,6 +21,8 @@ class Viewer {
 
   // Throws cli::Failure, for programs without a window.
   void wait_until_loaded();
+  // The same once more: a tick's times are the least of all runs.
+  void begin_anew();
   bool finished() const { return session_ && session_->finished(); }
 
   // What a person did goes in, and time goes by.
@@ -31,9 +34,11 @@ class Viewer {
   // After Dear ImGui has drawn on the bound framebuffer, too.
   void write_wanted_screenshot(int width, int height);
 
+  void end_recording();  // if there is one
   void write_log(const std::string& path) const;
   void write_graphs(const std::string& path) const;
-  std::string summary() const;  // of what has been felt, one sentence
+  std::string summary() const;  // of what has been felt
+  std::string frames_summary() const;
   bool wants_to_quit() const { return quit_; }
 
  private:
@@ -41,6 +46,7 @@ class Viewer {
   void take_up(Content content);
   void look_at_all();
   void begin_session();
+  void reset();
   void poll_loading();
   void take_input(const Input& input, double seconds);
   void lead_hand(const Input& input, double seconds);
@@ -49,6 +55,7 @@ class Viewer {
   void change_device(const std::string& uri);
   void execute(Command command);
   void execute_on_session(Command command);
+  void record_or_stop();
   std::vector<cli::Tick> ticks() const;
   void attempt(const std::function<void()>& what);  // tells why it fails
   void tell(std::string message, bool is_error = false);
@@ -61,9 +68,13 @@ class Viewer {
   Camera camera_;
   PanelChoices choices_;
   std::vector<std::string> pending_;  // dropped paths that wait for what is being loaded
+  std::string record_;                // a file for the trace of the first session; empty: none
   bool panels_ = true;
   bool quit_ = false;
   bool screenshot_ = false;
+  std::vector<cli::Tick> least_;  // the ticks of the runs before, with their least times
+  std::uint64_t frames_ = 0;
+  std::uint64_t frames_while_loading_ = 0;
   std::string message_;
   bool message_is_error_ = false;
 };

@@ -1,7 +1,7 @@
 #include "samples/viewer/window.h"
 
 #include <algorithm>
-#include <chrono>
+#include <iostream>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -58,10 +58,10 @@ struct KeyCommand {
   Command command;
 };
 
-constexpr KeyCommand kKeyCommands[] = {{GLFW_KEY_SPACE, Command::kPause}, {GLFW_KEY_N, Command::kStep},
-                                       {GLFW_KEY_R, Command::kReset},     {GLFW_KEY_F, Command::kScreenshot},
-                                       {GLFW_KEY_C, Command::kExport},    {GLFW_KEY_G, Command::kGraphs},
-                                       {GLFW_KEY_H, Command::kPanels},    {GLFW_KEY_ESCAPE, Command::kQuit}};
+constexpr KeyCommand kKeyCommands[] = {
+    {GLFW_KEY_SPACE, Command::kPause},  {GLFW_KEY_N, Command::kStep},   {GLFW_KEY_R, Command::kReset},
+    {GLFW_KEY_F, Command::kScreenshot}, {GLFW_KEY_C, Command::kExport}, {GLFW_KEY_G, Command::kGraphs},
+    {GLFW_KEY_T, Command::kRecord},     {GLFW_KEY_H, Command::kPanels}, {GLFW_KEY_ESCAPE, Command::kQuit}};
 
 // Collects what happens between two frames. Dear ImGui's own callbacks call these first.
 class InputCollector {
@@ -167,6 +167,8 @@ void run_window(const Arguments& arguments) {
     viewer.update(collector.take(), std::min(kLongest, now - std::exchange(before, now)));
     draw_frame(window.get(), viewer);
   }
+  viewer.end_recording();
+  std::cout << viewer.summary() << '\n' << viewer.frames_summary() << '\n';
 }
 
 }  // namespace palpate::viewer

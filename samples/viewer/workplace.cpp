@@ -8,6 +8,10 @@ namespace {
 
 using cli::check;
 
+// How far beyond the contact a hand wants to go, in cutoffs. A face under the cap of a device gives way like
+// a spring of at most half of what the device can, which a firm hand that wanted further would push through.
+constexpr double kDepth = 0.3;
+
 // How near the tool is at a place; negative where surfaces overlap.
 class Feeler {
  public:
@@ -67,7 +71,7 @@ Workplace find_workplace(const Arguments& arguments, const ModelFile& scene, con
   place.along = Vec3(0.0);
   place.along[longest] = 1.0;
   place.centre = scene.centre();
-  place.depth = 1.5 * cutoff;
+  place.depth = kDepth * cutoff;
   place.travel = 0.12 * extent[longest];
   if (arguments.pose) {
     place.start = *arguments.pose;

@@ -61,6 +61,18 @@ class Units(unittest.TestCase):
                          [["a.cpp", "c.cpp"], ["b.cpp"]])
 
 
+    def test_a_source_with_a_name_of_a_header_is_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "row.h").write_text("inline std::vector<int> gathered(int count) {\n")
+            sources = [Path(folder) / f"{name}.cpp" for name in "ab"]
+            for source, text in zip(sources, (SOURCE, "")):
+                source.write_text(text)
+            shared = units.shared_names(Path(folder))
+            found = units._units_of_part("engine", [(source, []) for source in sources], shared)
+        self.assertEqual(shared, {"gathered"})
+        self.assertEqual(len(found), 2)
+
+
 class Reasons(unittest.TestCase):
     def test_clang_tidy(self):
         text = (ROOT / ".clang-tidy").read_text()

@@ -12,6 +12,8 @@ FOLDERS = ("engine", "capi", "assets", "samples")
 NAMELESS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 # The name that a line at the margin of a nameless namespace defines.
 DEFINED = re.compile(r"^(?! )(?:(?:class|struct|enum class|using) (\w+)|[\w:<>,*& ]*?\b(\w+)\s*[(={\[;])", re.MULTILINE)
+# What a header gives to all: a source's own function of that name would be taken for it, or not, in a unit.
+SHARED = re.compile(r"^inline [\w:<>,*& ]*?\b(\w+)\(", re.MULTILINE)
 # Compiled again and again for each instruction set, by including itself.
 ALONE = "foreach_target.h"
 KEPT_FLAGS = re.compile(r"-(I|D|std=|f|W(?!error))")
@@ -42,16 +44,21 @@ def _flags(command):
     return kept
 
 
-def _units_of_part(part, entries):
-    """First fit: few units, in each of which no two sources define the same name."""
+def shared_names(folder):
+    return {name for header in folder.rglob("*.h") for name in SHARED.findall(header.read_text())}
+
+
+def _units_of_part(part, entries, shared=frozenset()):
+    """First fit: few units, in each of which no two sources define the same name, nor one that `shared` has."""
     found, taken = [], []
     for source, flags in entries:
         text = source.read_text()
         own = own_names(text)
+        alone = ALONE in text or own & shared
         fits = [i for i, names in enumerate(taken) if names is not None and not names & own]
-        if ALONE in text or not fits:
+        if alone or not fits:
             found.append(Unit(part, [source], flags))
-            taken.append(None if ALONE in text else own)
+            taken.append(None if alone else own)
         else:
             unit = found[fits[0]]
             unit.sources.append(source)
@@ -75,4 +82,5 @@ def units(root, build, folders=FOLDERS):
         relative = source.relative_to(root)
         if any(relative.is_relative_to(folder) for folder in folders):
             parts[_part(relative.parent)].append((source, _flags(entry["command"])))
-    return [unit for part in sorted(parts) for unit in _units_of_part(part, parts[part])]
+    shared = shared_names(root / "engine")
+    return [unit for part in sorted(parts) for unit in _units_of_part(part, parts[part], shared)]

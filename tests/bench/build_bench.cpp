@@ -4,6 +4,7 @@
 #include "engine/base/clock.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/fcl_methods.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/bench/point_shell_method.h"
 #include "tests/bench/sized_shape.h"
 
@@ -14,11 +15,12 @@ constexpr int kRepetitions = 5;
 constexpr int kRepetitionsLarge = 2;  // from ten million triangles on
 
 struct BuildSeries {
-  Series mesh_us, tree_us, total_us, bytes;
+  Series mesh_us, tree_us, total_us, bytes, peak_bytes;
   Series embree_us, embree_bytes, fcl_us, fcl_bytes;
 };
 
 void build_once(const TriangleSoup& soup, bool peers, BuildSeries& series) {
+  reset_peak_memory();
   const Stopwatch watch;
   Result<Mesh> built = build_mesh(soup, {});
   if (!built) throw std::runtime_error(built.error().message);
@@ -31,6 +33,7 @@ void build_once(const TriangleSoup& soup, bool peers, BuildSeries& series) {
   series.total_us.add(watch.elapsed_us());
   const double triangles = static_cast<double>(model.mesh().triangles.size());
   series.bytes.add(static_cast<double>(model.mesh().bytes() + tree.bytes()) / triangles);
+  series.peak_bytes.add(peak_memory() / triangles);
   if (!peers) return;
   const HierarchyCost embree = embree_hierarchy_cost(model.mesh());
   series.embree_us.add(embree.build_us);
@@ -57,6 +60,7 @@ void bench_build(const Effort& effort, Table& table) {
     add("palpate", "tree", "us", series.tree_us);
     add("palpate", "time", "us", series.total_us);
     add("palpate", "memory", "bytes/triangle", series.bytes);
+    add("palpate", "peak_memory", "bytes/triangle", series.peak_bytes);  // the soup in it
     add("embree", "time", "us", series.embree_us);
     add("embree", "memory", "bytes/triangle", series.embree_bytes);
     add("fcl_obbrss", "time", "us", series.fcl_us);

@@ -205,6 +205,8 @@ TEST_F(DeviceMisuse, MappingsAreChecked) {
     expect_refused(set_device([&](auto& mapping) { mapping.force_scale = bad; }), "force_scale");
   }
   expect_refused(set_device([](auto& mapping) { mapping.motion_scale = 0.0; }), "motion_scale");
+  for (const double bad : {kNan, kInfinity, 1e-4, 1.01})
+    expect_refused(set_device([&](auto& mapping) { mapping.torque_lever[1] = bad; }), "torque_lever");
   EXPECT_EQ(set_device([](auto& mapping) { mapping.force_scale = 0.0; }), PLP_OK);
 }
 

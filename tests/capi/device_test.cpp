@@ -328,6 +328,42 @@ TEST_F(DeviceScene, AToolCanBeTakenUpWhereItIs) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(tool_pose().orientation[i], 0.5, 1e-9);
 }
 
+class TouchScene : public DeviceScene {
+ protected:
+  TouchScene() : DeviceScene("sim:touch") {}
+
+  // The tool's middle is 30 mm to the right of the handle, so the force of the floor, which is as wide as the
+  // tool, has a torque.
+  plp_device_state pushed(double lever) {
+    plp_device_mapping mapping = device_mapping();
+    mapping.handle_from_tool.position[0] = 0.03;
+    mapping.torque_lever[1] = lever;
+    attach(mapping);
+    arm();
+    return device_.state();
+  }
+
+  // From the handle to the middle of what of both cubes lies over each other.
+  static double lever_arm(const plp_device_state& state) { return 0.015 - 0.5 * state.pose.position[0]; }
+};
+
+TEST_F(TouchScene, TorqueIsDroppedAndTold) {
+  const plp_device_state state = pushed(0.0);
+  EXPECT_GT(state.commanded.force[1], 0.3);
+  EXPECT_NEAR(state.commanded.torque[2], lever_arm(state) * state.commanded.force[1], 1e-6);
+  EXPECT_EQ(state.unactuated, 1);
+  EXPECT_EQ(state.applied.torque[2], 0.0);
+  EXPECT_NEAR(state.applied.force[0], 0.0, 1e-6);
+}
+
+TEST_F(TouchScene, TorqueIsFeltAtALever) {
+  const plp_device_state state = pushed(0.1);
+  EXPECT_GT(state.applied.force[1], 0.3);
+  EXPECT_NEAR(state.applied.force[0], -lever_arm(state) / 0.1 * state.applied.force[1], 1e-6);
+  EXPECT_LT(state.applied.force[0], -0.05);
+  EXPECT_NEAR(state.commanded.torque[2], 0.0, 1e-12);
+}
+
 // In a scene with +z up and millimetres the same device feels the same floor.
 TEST(DeviceSpaces, TheSceneConvertsAtItsBorder) {
   const TestModel cube(box(0.05f, 0.05f, 0.05f));

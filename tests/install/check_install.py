@@ -24,6 +24,7 @@ class Installed:
         self.prefix = prefix
         self.library = next(prefix.glob("lib*/**/libpalpate.so"))
         self.tool = prefix / "bin" / "palpate"
+        self.viewer = prefix / "bin" / "palpate-viewer"
         self.include = prefix / "include"
         self.header = self.include / "palpate" / "palpate.h"
         self.environment = dict(os.environ, LD_LIBRARY_PATH=str(self.library.parent),
@@ -71,6 +72,26 @@ def pkg_config(installed, arguments, folder):
     expect_same_contacts(installed, arguments.models, program)
 
 
+def viewer(installed, arguments, folder):
+    """Without a display; what it logs is what the tool finds on the same pose. Skipped where it was not built."""
+    if not installed.viewer.exists():
+        return print("skipped: the viewer was not built")
+    pair, pose = [arguments.models / name for name in MODELS], [*OFFSET, "0", "0", "0", "1"]
+    poses, picture, log = folder / "poses.csv", folder / "picture.png", folder / "ticks.csv"
+    poses.write_text("t,px,py,pz,qx,qy,qz,qw\n" + ",".join(["0", *pose]) + "\n")
+    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    environment["ASAN_OPTIONS"] = "detect_leaks=0"  # what Mesa keeps until the process ends
+    run([installed.viewer, "--headless", *pair, "--replay", poses, "--cutoff", CUTOFF, "--stiffness", "1000", "--law",
+         "springs", "--screenshot", picture, "--log", log], env=environment)
+    assert picture.read_bytes().startswith(b"\x89PNG"), picture
+    names, numbers = (line.split(",") for line in log.read_text().splitlines())
+    tick = dict(zip(names, map(float, numbers)))
+    told = json.loads(run([installed.tool, "query", *pair, "--pose", *pose, "--cutoff", CUTOFF, "--stiffness", "1000",
+                           "--json"]))
+    assert tick["lmds"] == 1 + max(lmd["set"] for lmd in told["lmds"]) > 1, (tick, told)
+    assert any(tick[axis] for axis in ("fx", "fy", "fz")), tick
+
+
 def soname(installed, arguments, folder):
     dynamic = run(["readelf", "--dynamic", "--wide", installed.library])
     names = re.findall(r"\(SONAME\).*\[(.*)\]", dynamic)
@@ -102,7 +123,7 @@ def header_cxx17(installed, arguments, folder):
     compile_header(installed, folder, "c++", "c++17", ".cpp")
 
 
-CHECKS = (find_package, pkg_config, soname, exported_symbols, header_c99, header_cxx17)
+CHECKS = (find_package, pkg_config, viewer, soname, exported_symbols, header_c99, header_cxx17)
 
 
 def main():

@@ -79,6 +79,9 @@ class DeviceTest(unittest.TestCase):
         self.assertGreater(tool.pose.position[0], 0.015)
         with self.assertRaises(palpate.WrongState):
             palpate.Scene(0.01).set_device(device)
+        with self.assertRaisesRegex(palpate.InvalidArgument, "torque_lever"):
+            scene.set_device(device, torque_lever=(2.0, 0.0, 0.0))
+        scene.set_device(device, torque_lever=(0.0, 0.1, 0.0))
         scene.set_device(None)
         scene.stop()
         ticks = device.state.ticks

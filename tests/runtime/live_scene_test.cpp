@@ -189,6 +189,26 @@ TEST_F(LiveSceneTest, AnUnmovedSceneIsNotSearchedAgain) {
   EXPECT_EQ(live_.counts().searches, searches);
 }
 
+// A hand trembles: a search that goes on with it would take a processor.
+TEST_F(LiveSceneTest, AToolThatTremblesIsNotSearchedAgainUntilItMoves) {
+  live_.set_mode(SearchMode::kDescent);
+  const Pose pose = motion(1)[0];
+  fill(pose);
+  ASSERT_TRUE(live_.go_live());
+  for (int i = 0; i < 3; ++i) tick(live_), live_.search_globally();
+  const std::uint64_t searches = live_.counts().searches;
+  const auto search_at = [&](double share) {
+    const DVec3 aside(share * cutoff_, 0.0, 0.0);
+    ASSERT_TRUE(live_.set_pose(tool_id_, Pose{pose.rotation, pose.translation + aside}));
+    EXPECT_GT(tick(live_).set_count, 0u);
+    live_.search_globally();
+  };
+  for (int i = 0; i < 50; ++i) search_at(i % 2 ? 0.004 : -0.004);
+  EXPECT_EQ(live_.counts().searches, searches);
+  search_at(0.02);
+  EXPECT_EQ(live_.counts().searches, searches + 1);
+}
+
 // Until its pair is ready a body pushes nothing, and that is said; its tree is built beside the servo.
 TEST_F(LiveSceneTest, ABodyWaitsUntilItIsReady) {
   const Pose pose = motion(1)[0];

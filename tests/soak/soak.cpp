@@ -112,13 +112,19 @@ class Walker {
   Walker& operator=(const Walker&) = delete;
 
   void go_round(std::atomic<std::uint64_t>& ticks, std::atomic<std::uint64_t>& touching) {
+    const auto start = Clock::now();
     for (const plp_pose& pose : track_.way) {
       check(plp_scene_set_pose(scene_, tool_, &pose));
       check(plp_scene_step(scene_));
       touching += contacts().lmd_count > 0;
       ++ticks;
     }
+    spent_ += Clock::now() - start;
+    ++rounds_;
   }
+
+  int rounds() const { return rounds_; }
+  Clock::duration spent() const { return spent_; }
 
   // Where it stands, as bytes. What descent has found depends on where it began; so it is asked for the whole
   // set.
@@ -170,7 +176,11 @@ class Walker {
   const plp_law law_;
   plp_scene scene_ = nullptr;
   plp_body tool_ = 0;
+  int rounds_ = 0;
+  Clock::duration spent_{};
 };
+
+using Walkers = std::vector<Walker*>;
 
 class Soak {
  public:
@@ -187,10 +197,17 @@ class Soak {
 
   SoakOutcome run() {
     SoakOutcome outcome;
-    walk([](int round, Clock::time_point) { return round < kWarmRounds; });
+    walk([](const Walkers& walkers) {
+      const auto next =
+          std::ranges::find_if(walkers, [](const Walker* w) { return w->rounds() < kWarmRounds; });
+      return next == walkers.end() ? nullptr : *next;
+    });
     outcome.warm = progress();
+    // In equal shares of the time, so that many ticks are those of the fast.
     const auto end = start_ + std::chrono::duration<double>(options_.seconds);
-    walk([end](int, Clock::time_point now) { return now < end; });
+    walk([end](const Walkers& walkers) {
+      return Clock::now() < end ? *std::ranges::min_element(walkers, {}, &Walker::spent) : nullptr;
+    });
     outcome.end = progress();
     outcome.most_resident_bytes = std::max(most_resident_, outcome.end.resident_bytes);
     outcome.touching_ticks = touching_;
@@ -205,16 +222,16 @@ class Soak {
     return {passed.count(), ticks_, resident_bytes()};
   }
 
-  // Every thread has walkers of its own, who go round as long as `goes_on(round, now)`.
-  template <class GoesOn>
-  void walk(GoesOn goes_on) {
+  // Every thread has walkers of its own, of whom `next` names the one that goes round; null: none any more.
+  template <class Next>
+  void walk(Next next) {
     std::vector<std::thread> threads;
     at_work_ = options_.threads;
     for (unsigned t = 0; t < options_.threads; ++t)
-      threads.emplace_back([this, t, goes_on] {
-        for (int round = 0; goes_on(round, Clock::now()); ++round)
-          for (std::size_t i = t; i < walkers_.size() && goes_on(round, Clock::now()); i += options_.threads)
-            walkers_[i]->go_round(ticks_, touching_);
+      threads.emplace_back([this, t, next] {
+        Walkers own;
+        for (std::size_t i = t; i < walkers_.size(); i += options_.threads) own.push_back(walkers_[i].get());
+        while (Walker* const walker = own.empty() ? nullptr : next(own)) walker->go_round(ticks_, touching_);
         const std::lock_guard lock(mutex_);
         if (--at_work_ == 0) done_.notify_all();
       });

@@ -16,7 +16,7 @@ palpate_test_packages=(
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mypy python3-matplotlib python3-scipy
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
-  godot3-server godot3-runner xvfb xauth xdotool libopenxr-dev
+  godot3-server godot3-runner xvfb xauth xdotool python3-xlib libopenxr-dev
 )
 # Making packages that hold the library and all that it needs.
 palpate_package_packages=(binutils patchelf python3)

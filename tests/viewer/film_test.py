@@ -96,6 +96,41 @@ class Film(unittest.TestCase):
         self.assertTrue(any(int(row["pairs"]) > 0 for row in slow))
         self.assertEqual(slow, fast)
 
+    def assert_same_forces(self, recorded, replayed):
+        keys = set(recorded[0]) - {"t", "age_ticks", *TIMES}
+        self.assertEqual(len(recorded), len(replayed))
+        self.assertTrue(any(float(row["fy"]) != 0.0 for row in recorded))
+        for ours, theirs in zip(recorded, replayed):
+            self.assertEqual({key: ours[key] for key in keys}, {key: theirs[key] for key in keys})
+
+    def test_a_recording_replays_to_the_same_forces(self):
+        trace = self.folder / "hand.plptrace"
+        for mode, law in (("certified", "smooth"), ("descent", "springs")):
+            said = self.film(BOX, BALL, "--motion", "slide", "--frames", 120, "--mode", mode, "--law", law,
+                             "--stiffness", 700, "--friction", 0.2, "--record", trace, "--log",
+                             self.folder / "recorded.csv")
+            self.assertIn(f"trace: {trace}", said)
+            # Whatever the settings are otherwise, a trace has its own.
+            self.film(BOX, BALL, "--replay", trace, "--log", self.folder / "replayed.csv")
+            self.assert_same_forces(self.rows("recorded.csv"), self.rows("replayed.csv"))
+        done = run("run", BOX, BALL, "--trajectory", trace, "--out", self.folder / "cli.csv", program=CLI)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same_forces(self.rows("replayed.csv"), self.rows("cli.csv"))
+        self.film(BOX, BALL, "--replay", trace, "--stiffness", 0, "--damping", 0, "--log", self.folder / "changed.csv")
+        self.assertTrue(all(float(row["fy"]) == 0.0 for row in self.rows("changed.csv")))
+
+    def test_runs_are_the_same_but_for_their_times(self):
+        for name, runs in (("one.csv", 1), ("three.csv", 3)):
+            self.film(BOX, BALL, "--motion", "slide", "--frames", 50, "--runs", runs, "--log", self.folder / name)
+        self.assertTrue(any(int(row["pairs"]) > 0 for row in self.rows("one.csv")))
+        self.assertEqual(self.without_times("one.csv"), self.without_times("three.csv"))
+
+    def test_a_servo_is_recorded(self):
+        trace = self.folder / "servo.plptrace"
+        self.film(BOX, BALL, "--motion", "press", "--threaded", "--frames", 60, "--size", 320, 320, "--record", trace)
+        self.film(BOX, BALL, "--replay", trace, "--log", self.folder / "replayed.csv")
+        self.assertGreater(len(self.rows("replayed.csv")), 100)
+
     def test_a_servo_steps_beside_the_pictures(self):
         said = self.film(BOX, BALL, "--motion", "press", "--threaded", "--frames", 12, "--size", 320, 320)
         self.assertRegex(said, r"the servo ran \d+ steps")
@@ -107,7 +142,7 @@ class Film(unittest.TestCase):
         lines = root.findall("{http://www.w3.org/2000/svg}polyline")
         self.assertEqual(len(lines), 4)
         for line in lines:
-            self.assertGreater(len(line.get("points").split()), 50)
+            self.assertGreater(len(line.get("points").split()), 30)
 
     def complaint(self, *arguments):
         done = run("--headless", *arguments)
@@ -128,8 +163,12 @@ class Film(unittest.TestCase):
         self.assertIn("crankshaft-gear", self.complaint("--experiment", "nothing"))
         self.assertIn("--headless", self.complaint(BOX))
         self.assertIn("--mode fast", self.complaint(BOX, BALL, "--mode", "fast"))
+        self.assertIn("--runs", self.complaint(BOX, BALL, "--threaded", "--runs", 2))
         self.assertIn("--cutoff", self.complaint(BOX, BALL, "--cutoff", "-1"))
-        for option in ("--screenshot", "--log", "--graphs"):
+        broken_trace = self.folder / "broken.plptrace"
+        broken_trace.write_bytes(b"PLPTRACE but no more")
+        self.assertIn("broken.plptrace", self.complaint(BOX, BALL, "--replay", broken_trace))
+        for option in ("--screenshot", "--log", "--graphs", "--record"):
             self.assertIn("no_folder", self.complaint(BOX, BALL, "--frames", 1, option,
                                                       self.folder / "no_folder" / "file"))
 

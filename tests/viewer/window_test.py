@@ -1,16 +1,19 @@
-"""The viewer in a real window, on a display of its own: keys move the tool, a slider changes the stiffness, a key ends
-it."""
+"""The viewer in a real window, on a display of its own: keys move the tool, a slider changes the stiffness, files fall
+on it, a key ends it."""
 
+import importlib.util
 import os
+import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
 from png import Picture, is_hue
-from viewer_run import LEFT_PANEL, MODELS, RIGHT_PANEL, VIEWER, skip
+from viewer_run import LEFT_PANEL, MODELS, RIGHT_PANEL, VIEWER, run, skip
 
 WIDTH, HEIGHT = 960, 600
 TOOL_HUE = (25, 42, 0.6)
@@ -74,6 +77,7 @@ class Window(unittest.TestCase):
         window = window.split()[0]
         self.xdotool("windowmove", window, 0, 0)
         self.xdotool("windowfocus", "--sync", window)
+        return window
 
     def press(self, key):
         # Longer than a frame may take, so that no press is lost between two.
@@ -136,6 +140,44 @@ class Window(unittest.TestCase):
         self.wait("the tool", lambda: self.shown())
         self.press("Escape")
         self.assertEqual(viewer.wait(PATIENCE), 0)
+
+    def drop(self, window, *files):
+        done = subprocess.run([sys.executable, "-B", Path(__file__).with_name("drop.py"), window, *map(str, files)],
+                              env=self.environment, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    @unittest.skipUnless(importlib.util.find_spec("Xlib"), "python3-xlib is not installed")
+    def test_files_are_dropped(self):
+        spaced = self.folder / "a scene.glb"
+        shutil.copy(f"{MODELS}/box.glb", spaced)
+        viewer = self.start("--size", WIDTH, HEIGHT)
+        window = self.focus()
+        self.picture()
+        self.drop(window, spaced, f"{MODELS}/icosphere.glb")
+        self.wait("the tool", lambda: self.shown())
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
+        self.assertEqual(viewer.stderr.read(), "")
+
+    def test_the_window_lives_while_models_are_loaded_and_what_is_felt_is_recorded(self):
+        viewer = self.start(f"{MODELS}/helicopter_113k.glb", f"{MODELS}/gear_6k.glb", "--tool-scale", 0.5, "--up", "z",
+                            "--size", WIDTH, HEIGHT)
+        self.focus()
+        self.wait("the tool", lambda: self.shown())
+        trace = self.folder / "palpate-viewer.plptrace"
+        self.press("t")
+        self.wait("a trace", lambda: trace.exists())
+        time.sleep(0.5)
+        self.press("Escape")
+        self.assertEqual(viewer.wait(PATIENCE), 0)
+        said = viewer.stdout.read()
+        self.assertRegex(said, r"the servo ran \d+ steps at [\d.]+ a second beside the pictures, \d+ of them too long")
+        frames, while_loading = map(int, re.search(r"(\d+) frames were drawn, (\d+) of them while", said).groups())
+        print(f"{while_loading} of {frames} frames while models were loaded")
+        self.assertGreaterEqual(while_loading, 3)
+        replayed = run("--headless", f"{MODELS}/helicopter_113k.glb", f"{MODELS}/gear_6k.glb", "--tool-scale", 0.5,
+                       "--replay", trace)
+        self.assertRegex(replayed.stdout, r"^[1-9]\d* ticks")
 
     def test_a_device_that_is_not_there_is_told(self):
         viewer = self.start(f"{MODELS}/box.glb", f"{MODELS}/icosphere.glb", "--device", "sim:nothing")

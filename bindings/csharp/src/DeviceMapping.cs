@@ -64,6 +64,26 @@ namespace Palpate
             set => Struct.clutch_buttons = value;
         }
 
+        /// <summary>For a device without motors for torque, which has it felt as force at the end of this lever: from a
+        /// pivot to the handle, metres in the handle's frame, 0.001 to 1 long. Zero: torque is dropped.</summary>
+        public Vector3d TorqueLever
+        {
+            get
+            {
+                fixed (double* lever = Struct.torque_lever)
+                {
+                    return *(Vector3d*)lever;
+                }
+            }
+            set
+            {
+                fixed (double* lever = Struct.torque_lever)
+                {
+                    *(Vector3d*)lever = value;
+                }
+            }
+        }
+
         /// <summary>Take the tool up where it is, rather than moving it into the hand.</summary>
         public bool KeepToolPose
         {

@@ -486,6 +486,7 @@ namespace Palpate
             public double force_scale;
             public uint clutch_buttons;
             public uint reserved;
+            public fixed double torque_lever[3];
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -756,9 +756,10 @@ PLP_API void plp_servo_options_init(plp_servo_options* options, size_t size);
  * never waits and never allocates: a body that comes near is first made ready beside it (PLP_STATUS_WAITING),
  * and no more than 1,024 points of LMDs and 1,024 overlaps are listed, while the wrench is of all
  * (PLP_STATUS_CUT). What is near already is ready when this returns. In PLP_MODE_DESCENT searches from
- * scratch go on continuously; plp_scene_options::global_every is not used. With a device that has a loop of
- * its own (`openhaptics:`) that loop is the servo: the options are not used, and a step sees the sample and
- * gives the wrench of one tick of it. The servo moves when such a device comes or goes, and counts anew.
+ * scratch go on continuously while anything near moves by more than 1 % of the cutoff;
+ * plp_scene_options::global_every is not used. With a device that has a loop of its own (`openhaptics:`) that
+ * loop is the servo: the options are not used, and a step sees the sample and gives the wrench of one tick of
+ * it. The servo moves when such a device comes or goes, and counts anew.
  * @param options null for the defaults.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it runs already), _LIMIT (the system
  * allows no more threads) or _OUT_OF_MEMORY.
@@ -1086,6 +1087,12 @@ typedef struct plp_device_mapping {
                               force_scale / motion_scale */
   uint32_t clutch_buttons; /**< while all are held the handle moves without the tool; 0: no clutch */
   uint32_t reserved;       /**< 0 */
+  double
+      torque_lever[3]; /**< for a device without motors for torque: from a pivot to the handle, metres in the
+                          handle's frame, 0.001 to 1 long. The torque is then felt as the force that has it at
+                          the end of this lever, (torque × lever) / lever², at most half of max_force; what no
+                          such force stands for is dropped, plp_device_state::unactuated. The force takes
+                          part in no balance of energy. Zeros: torque is dropped */
 } plp_device_mapping;
 
 enum {

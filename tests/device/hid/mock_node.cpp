@@ -50,6 +50,15 @@ std::vector<Report> MockNode::received() {
   return all;
 }
 
+std::size_t MockNode::discard() {
+  const std::lock_guard lock(mutex_);
+  std::size_t count = 0;
+  std::uint8_t bytes[256];
+  for (const auto& [theirs, ours] : ours_by_theirs_)
+    while (recv(ours, bytes, sizeof bytes, MSG_DONTWAIT) > 0) ++count;
+  return count;
+}
+
 bool MockNode::is_open() {
   const std::lock_guard lock(mutex_);
   return !ours_by_theirs_.empty();

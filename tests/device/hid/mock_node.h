@@ -33,6 +33,7 @@ class MockNode {
   // The device's. A report goes to all who have the node open; whose queue is full misses it.
   void send(std::span<const std::uint8_t> report);
   std::vector<Report> received();  // what was written since the last call
+  std::size_t discard();           // the same without keeping it: how many there were. Allocates nothing
   bool is_open();
 
   // Faults.

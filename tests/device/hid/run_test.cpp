@@ -38,22 +38,32 @@ TEST_F(HidRun, AThousandSamplesASecondArriveWithoutLoss) {
               mock->refused());
 }
 
-// Neither the servo nor the threads beside it. The mock has no thread of its own here, and so takes nothing:
-// transfers block, sooner or later.
+// Neither the servo nor the threads beside it: while the device pushes, when it falls silent, and when
+// transfers block. The mock has no thread of its own here, so that it takes and gives only what it is told
+// to.
 TEST_F(HidRun, ATickAllocatesNothing) {
   const auto mock = std::make_shared<MockOhhp>();
   const int number = bus_.plug(mock);
   GuardedDevice device(open("1209:0001"));
   device.arm();
   hid_device::HapticDevice sampled;
-  const std::uint64_t before = allocation_count();
-  for (int i = 0; i < 300; ++i) {
-    if (i % 100 < 80) mock->send(sampled.step());
+  const auto tick = [&](bool speaks) {
+    if (speaks) mock->send(sampled.step());
     device.read();
     device.write({DVec3(0.0, 1.0, 0.0), DVec3(0.0)}, true, 1e-3);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return device.status();
+  };
+  std::size_t taken = 0, pushed = 0;
+  const std::uint64_t before = allocation_count();
+  for (int i = 0; i < 30'000 && pushed < 50; ++i) {
+    pushed += tick(true).applied.force.y > 0.0;
+    taken += mock->discard();
   }
+  for (int i = 0; i < 300; ++i) tick(i % 100 < 80);
   EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(pushed, 50u);
+  EXPECT_GT(taken, 0u);
   EXPECT_GT(device.status().safety.ticks_of(Limiter::kDevice), 0u);
   bus_.unplug(number);  // which ends the transfer, as a kernel does after a while
 }

@@ -465,6 +465,7 @@ class plp_device_mapping(Structure):
         ("force_scale", c_double),
         ("clutch_buttons", c_uint32),
         ("reserved", c_uint32),
+        ("torque_lever", c_double * 3),
     ]
 
 

@@ -229,7 +229,8 @@ class Device(Closing):
 
 
 def device_mapping(scene_from_base: PoseLike, handle_from_tool: PoseLike, motion_scale: float, force_scale: float,
-                   clutch_buttons: int, keep_tool_pose: bool) -> _raw.plp_device_mapping:
+                   clutch_buttons: int, keep_tool_pose: bool,
+                   torque_lever: Iterable[float]) -> _raw.plp_device_mapping:
     mapping = _raw.plp_device_mapping()
     _raw.plp_device_mapping_init(mapping, sizeof(mapping))
     mapping.flags = _raw.PLP_DEVICE_KEEP_TOOL_POSE if keep_tool_pose else 0
@@ -237,4 +238,5 @@ def device_mapping(scene_from_base: PoseLike, handle_from_tool: PoseLike, motion
     mapping.handle_from_tool = pose_struct(handle_from_tool)
     mapping.motion_scale, mapping.force_scale = motion_scale, force_scale
     mapping.clutch_buttons = clutch_buttons
+    mapping.torque_lever[:] = triple(torque_lever)
     return mapping

@@ -287,13 +287,15 @@ class Scene(Closing):
 
     def set_device(self, device: Device | None, *, scene_from_base: PoseLike = Pose(),
                    handle_from_tool: PoseLike = Pose(), motion_scale: float = 1.0, force_scale: float = 1.0,
-                   clutch_buttons: int = 0, keep_tool_pose: bool = False) -> None:
+                   clutch_buttons: int = 0, keep_tool_pose: bool = False,
+                   torque_lever: Iterable[float] = (0.0, 0.0, 0.0)) -> None:
         """Gives the tool to a device, whose hand feels it in every step from then on; None takes it away. The poses are in
         the scene's space: where the device stands, and how the tool lies in its handle. `motion_scale`: metres of the
         scene for one of the handle; `force_scale`: newtons on the hand for one on the tool. While all `clutch_buttons`
-        are held the handle moves without the tool. `keep_tool_pose` takes the tool up where it is."""
+        are held the handle moves without the tool. `keep_tool_pose` takes the tool up where it is. `torque_lever`, metres
+        in the handle's frame: a device without motors for torque has it felt as force at the end of this lever."""
         mapping = device_mapping(scene_from_base, handle_from_tool, motion_scale, force_scale, clutch_buttons,
-                                 keep_tool_pose)
+                                 keep_tool_pose, torque_lever)
         check(_raw.plp_scene_set_device(self._handle, device._handle if device is not None else None, mapping))
 
     def start(self, rate: float = 1000.0, *, priority: int | None = 0, cpu: int | None = None) -> None:
