@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -147,5 +148,11 @@ int run(int argc, char** argv) {
 }  // namespace palpate::cli
 
 int main(int argc, char** argv) {
-  return palpate::cli::run(argc, argv);
+  try {
+    return palpate::cli::run(argc, argv);
+  } catch (...) {
+    // Nothing but a lack of memory comes as far.
+    std::fputs("palpate: out of memory\n", stderr);
+    return 1;
+  }
 }

@@ -78,13 +78,14 @@ void instance_attribute(GLuint index, GLint numbers, std::size_t offset) {
 }  // namespace
 
 void Glyphs::rod(const Vec3& from, const Vec3& to, double radius, const Colour& colour) {
-  rods_.push_back({glm::vec3(from - target_), glm::vec3(to - target_), glm::vec2(radius), colour});
+  rods_.push_back(
+      {glm::vec3(from - target_), glm::vec3(to - target_), glm::vec2(static_cast<float>(radius)), colour});
 }
 
 void Glyphs::ball(const Vec3& centre, double radius, const Colour& colour) {
   const Vec3 up(0.0, 0.0, radius);
-  balls_.push_back(
-      {glm::vec3(centre - up - target_), glm::vec3(centre + up - target_), glm::vec2(radius), colour});
+  balls_.push_back({glm::vec3(centre - up - target_), glm::vec3(centre + up - target_),
+                    glm::vec2(static_cast<float>(radius)), colour});
 }
 
 void Glyphs::arrow(const Vec3& from, const Vec3& to, double radius, const Colour& colour) {

@@ -73,8 +73,9 @@ std::string number(double value) {
 }
 
 std::vector<double> ascending(const std::vector<Point>& points) {
-  std::vector<double> values;
-  for (const Point& point : points) values.push_back(point.value);
+  std::vector<double> values(points.size());
+  std::transform(points.begin(), points.end(), values.begin(),
+                 [](const Point& point) { return point.value; });
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -142,8 +143,9 @@ void write_graph(std::size_t i, const std::vector<cli::Tick>& ticks, std::ostrea
   const double seconds = std::max(1e-3, ticks.back().seconds - ticks.front().seconds);
   const std::vector<double> values = ascending(points);
   const bool are_times = quantity.unit == std::string_view("us");
-  const double left = 60.0 + 480.0 * static_cast<double>(i % 2),
-               top = 95.0 + 250.0 * static_cast<double>(i / 2);
+  const std::size_t column = i % 2, row = i / 2;
+  const double left = 60.0 + 480.0 * static_cast<double>(column),
+               top = 95.0 + 250.0 * static_cast<double>(row);
   const Graph graph(left, top, seconds, height_of(values, are_times), out);
   graph.frame(kCaptions[i], summary_of(values, quantity.unit));
   graph.line(thinned(points, seconds), kColours[i]);

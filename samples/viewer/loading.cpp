@@ -24,7 +24,7 @@ std::optional<Content> Loading::finished() {
   return future_.get();
 }
 
-Content Loading::load(Arguments arguments, Content before) {
+Content Loading::load(Arguments arguments, const Content& before) {
   Content content;
   const Arguments& had = before.arguments;
   content.scene = had.scene == arguments.scene ? before.scene : nullptr;

@@ -22,7 +22,7 @@ class Loading {
   Content wait() { return future_.get(); }
 
  private:
-  Content load(Arguments arguments, Content before);
+  Content load(Arguments arguments, const Content& before);
   std::shared_ptr<const ModelFile> file(const std::string& path, double scale, const char* role);
   void enter(std::string stage);
 
