@@ -137,10 +137,10 @@ TEST_F(DeviceMisuse, NumbersOfAHandAreChecked) {
       {&plp_hand_options::inertia, "inertia"},
       {&plp_hand_options::angular_damping, "angular_damping"},
       {&plp_hand_options::angular_stiffness, "angular_stiffness"}};
-  for (const auto& [field, name] : impedances) {
+  for (const auto& impedance : impedances) {
     for (const double bad : {kNan, kInfinity, -1.0, 1e9}) {
-      expect_refused(set_hand([&](auto& options) { options.grip = PLP_GRIP_OWN, options.*field = bad; }),
-                     name);
+      const auto set = [&](auto& options) { options.grip = PLP_GRIP_OWN, options.*impedance.first = bad; };
+      expect_refused(set_hand(set), impedance.second);
     }
   }
   EXPECT_EQ(set_hand([](auto& options) { options.grip = PLP_GRIP_OWN; }), PLP_OK) << "nobody holds it";
