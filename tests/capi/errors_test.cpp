@@ -27,7 +27,8 @@ TEST(Errors, EveryReasonHasItsCode) {
       {ErrorCode::kInternal, PLP_ERROR_INTERNAL},
   };
   for (const auto& [reason, code] : codes) {
-    EXPECT_EQ(guarded([&] { refuse(reason, "why"); }), code);
+    const ErrorCode refused = reason;  // a lambda may not take a binding along in clang 14
+    EXPECT_EQ(guarded([&] { refuse(refused, "why"); }), code);
     EXPECT_STREQ(last_error(), "why");
     EXPECT_EQ(std::strncmp(plp_result_string(code), "PLP_ERROR_", 10), 0) << code;
   }

@@ -85,14 +85,12 @@ TEST_F(FixedSearch, WithoutRoomFollowsWhatItKnowsAndAsksForMore) {
   move(pair, far);
   pair.fix({.front = 600, .minima = 600, .overlaps = 64}, service_, false);
   bool lost = false;
-  std::size_t followed = 0;
   for (const Pose& pose : motion_) {
     move(pair, pose);
     lost |= pair.found().cut;
     if (!lost) continue;
     EXPECT_TRUE(pair.found().cut) << "it says so until it has more room";
     for (const Lmd& lmd : pair.found().lmds) EXPECT_TRUE(holds(complete_at(pose), lmd));
-    followed += pair.found().lmds.size();
   }
   ASSERT_TRUE(lost);
   EXPECT_GT(service_->wishes, 0);

@@ -116,8 +116,10 @@ int ioctl(int descriptor, unsigned long request, ...) noexcept {
   return system_own<int(int, unsigned long, ...)>("ioctl")(descriptor, request, argument);
 }
 
+#ifndef __clang__  // which does not know the warning
 // glibc declares that it only writes what it is given.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 int poll(pollfd* files, nfds_t count, int timeout) {
   if (count == 1 && has(files[0].fd)) nodes()->before_poll(files[0].fd);
   return system_own<int(pollfd*, nfds_t, int)>("poll")(files, count, timeout);
