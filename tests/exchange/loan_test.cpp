@@ -30,14 +30,14 @@ TEST(Loan, IsUsedWhileItIsLent) {
 
 // What was taken back may be destroyed at once, however often the other thread uses it.
 TEST(Loan, IsNotUsedAfterItWasTakenBack) {
-  constexpr int kRounds = 2000;
+  constexpr int kRounds = 2000, kMostRounds = 100 * kRounds;  // more if the user's thread comes late
   Loan<Counted> loan;
   Flag stop;
   std::thread user([&] {
     while (!stop.raised()) loan.use([](Counted& lent) { ++lent.uses; });
   });
   int used = 0, late = 0;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds || (used == 0 && round < kMostRounds); ++round) {
     auto thing = std::make_unique<Counted>();
     loan.lend(*thing);
     std::this_thread::yield();

@@ -12,7 +12,7 @@ palpate_viewer_packages=(
   libgl1 libgl1-mesa-dri libegl-mesa0 fonts-dejavu-core
 )
 palpate_test_packages=(
-  libgtest-dev clang-format-14 abigail-tools doxygen binutils make patchelf libumockdev-dev
+  libgtest-dev clang-format-14 abigail-tools doxygen binutils make patchelf umockdev libumockdev-dev
   python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel
   mypy python3-matplotlib python3-scipy
   mono-mcs mono-runtime mono-devel nunit-console libnunit-cil-dev
