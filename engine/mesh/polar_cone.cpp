@@ -66,8 +66,7 @@ struct Tangents {
     for (std::size_t i = 0; i < count; ++i) most = std::max(most, glm::dot(directions[i], u));
     return most;
   }
-  // One way or the other along a candidate.
-  // For a lean that is positive.
+  // One way or the other along a candidate. The lean is positive.
   bool admit(const DVec3& candidate, double lean) const {
     const double most = lean * glm::length(candidate);
     if (!(most > 0)) return false;

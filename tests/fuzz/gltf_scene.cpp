@@ -70,13 +70,7 @@ std::uint64_t triangles_of(plp_scene scene) {
 // Its first body's node is the tool, of which the file must have no other.
 void touch_with(const std::string& path, const char* tool) {
   const plp_scene scene = scene_to_fill();
-  if (load(scene, path, tool, nullptr) == PLP_OK) {
-    require(checked(plp_scene_step(scene)) == PLP_OK, "a step");
-    plp_contacts contacts;
-    plp_contacts_init(&contacts, sizeof contacts);
-    require(checked(plp_scene_get_contacts(scene, &contacts)) == PLP_OK, "an outcome");
-    require_sound(contacts, kCutoff);
-  }
+  if (load(scene, path, tool, nullptr) == PLP_OK) step(scene, kCutoff);
   require(checked(plp_scene_release(scene)) == PLP_OK, "a scene to release");
 }
 

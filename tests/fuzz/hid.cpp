@@ -163,11 +163,7 @@ class Session {
   }
 
   void tick() {
-    require(checked(plp_scene_step(scene_)) == PLP_OK, "a step");
-    plp_contacts contacts;
-    plp_contacts_init(&contacts, sizeof contacts);
-    require(checked(plp_scene_get_contacts(scene_, &contacts)) == PLP_OK, "an outcome");
-    require_sound(contacts, kCutoff);
+    step(scene_, kCutoff);
     plp_device_state state;
     plp_device_state_init(&state, sizeof state);
     require(checked(plp_device_get_state(device_, &state)) == PLP_OK, "a state");

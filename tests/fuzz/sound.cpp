@@ -47,6 +47,14 @@ void require_sound(const plp_contacts& contacts, double cutoff) {
   require(contacts.overlap == 1 || contacts.overlap_count == 0, "no overlaps listed where there is none");
 }
 
+void step(plp_scene scene, double cutoff) {
+  require(checked(plp_scene_step(scene)) == PLP_OK, "a step");
+  plp_contacts contacts;
+  plp_contacts_init(&contacts, sizeof contacts);
+  require(checked(plp_scene_get_contacts(scene, &contacts)) == PLP_OK, "an outcome");
+  require_sound(contacts, cutoff);
+}
+
 void touch(plp_model a, plp_model b, const plp_pose& pose, const plp_query_options& options) {
   plp_query_result result = nullptr;
   require(checked(plp_query_result_create(&result)) == PLP_OK, "room for a result");

@@ -21,6 +21,9 @@ plp_result checked(plp_result result);
 // What every outcome keeps, whatever was asked: finite, unit normals, nothing beyond the cutoff (metres).
 void require_sound(const plp_contacts& contacts, double cutoff);
 
+// Steps a scene, which must succeed, and looks at the outcome.
+void step(plp_scene scene, double cutoff);
+
 // Touches two models, where the call is accepted.
 void touch(plp_model a, plp_model b, const plp_pose& pose, const plp_query_options& options);
 
