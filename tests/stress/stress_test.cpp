@@ -33,13 +33,14 @@ int cases_of(const Family& family) {
 }
 
 void expect_sound(const FamilyReport& report) {
+  for (const std::string& wrong : report.wrong) ADD_FAILURE() << wrong;
   const SearchOutcome& search = report.search;
   for (const Verdict* verdict : {&search.global, &search.certified, &search.descent}) {
-    EXPECT_EQ(verdict->missed, 0) << report.first;
-    EXPECT_EQ(verdict->spurious, 0) << report.first;
-    EXPECT_EQ(verdict->wrong_overlap, 0) << report.first;
-    EXPECT_EQ(verdict->not_numbers, 0) << report.first;
-    for (double error : verdict->errors) EXPECT_LE(error, kLargestError) << report.first;
+    EXPECT_EQ(verdict->missed, 0);
+    EXPECT_EQ(verdict->spurious, 0);
+    EXPECT_EQ(verdict->wrong_overlap, 0);
+    EXPECT_EQ(verdict->not_numbers, 0);
+    for (double error : verdict->errors) EXPECT_LE(error, kLargestError);
   }
   EXPECT_EQ(search.endless, 0);
   EXPECT_EQ(report.triangles.palpate.wrong, 0);
