@@ -72,6 +72,38 @@ INSTANTIATE_TEST_SUITE_P(Families, Stress, testing::ValuesIn(families().begin(),
                            return name;
                          });
 
+// Cases of longer runs that were wrong once.
+struct KnownCase {
+  const char* family;
+  std::uint64_t seed;
+  int number;
+};
+
+void PrintTo(const KnownCase& known, std::ostream* out) {
+  *out << known.family << ", seed " << known.seed << " case " << known.number;
+}
+
+class KnownStress : public testing::TestWithParam<KnownCase> {};
+
+TEST_P(KnownStress, IsSound) {
+  const auto family = std::find_if(families().begin(), families().end(), [](const Family& one) {
+    return std::string(one.name) == GetParam().family;
+  });
+  ASSERT_NE(family, families().end());
+  FamilyReport report;
+  run_case(*family, GetParam().seed, GetParam().number, report);
+  expect_sound(report);
+}
+
+// A cell of which one end alone is there, beside the corner that ends it.
+INSTANTIATE_TEST_SUITE_P(EndsOfPlateaus, KnownStress,
+                         testing::Values(KnownCase{"parallel edges", 1, 1372},
+                                         KnownCase{"parallel edges", 1, 2131},
+                                         KnownCase{"parallel edges", 1, 16060}));
+
+// An edge over another at a distance that rounding of corners, but not of directions, is large beside.
+INSTANTIATE_TEST_SUITE_P(NearlyTouching, KnownStress, testing::Values(KnownCase{"nearly flat", 1, 1463}));
+
 // A corner that passes the end of a row of slivers: beyond their sharp corners their sides' lines are near.
 TEST(NearMinima, OfSliversLieOnTheirModel) {
   constexpr double kCutoff = 0.05, kSlack = 1e-4;
