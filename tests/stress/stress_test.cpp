@@ -104,6 +104,11 @@ INSTANTIATE_TEST_SUITE_P(EndsOfPlateaus, KnownStress,
 // An edge over another at a distance that rounding of corners, but not of directions, is large beside.
 INSTANTIATE_TEST_SUITE_P(NearlyTouching, KnownStress, testing::Values(KnownCase{"nearly flat", 1, 1463}));
 
+// A near minimum goes over from one piece of a patch or line to the next, or past the end of a line.
+INSTANTIATE_TEST_SUITE_P(HandOvers, KnownStress,
+                         testing::Values(KnownCase{"coplanar, collinear", 1, 2119},
+                                         KnownCase{"nearly flat", 1, 1086}, KnownCase{"slivers", 1, 7427}));
+
 // A corner that passes the end of a row of slivers: beyond their sharp corners their sides' lines are near.
 TEST(NearMinima, OfSliversLieOnTheirModel) {
   constexpr double kCutoff = 0.05, kSlack = 1e-4;
