@@ -6,6 +6,7 @@
 #include "engine/kernel/line_pair.h"
 #include "engine/kernel/triangle_pair.h"
 #include "engine/snch/near_minima.h"
+#include "engine/snch/polar_arc.h"
 
 namespace palpate {
 namespace {
@@ -25,13 +26,16 @@ FeatureCertificate::FeatureCertificate(const Mesh& a, const Mesh& b, const Place
     : a_{a, placement, false}, b_{b, placement, true}, limits_(limits), rate_(rate), reach_(reach) {}
 
 Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b,
-                                           FeaturePairSet among, PairCertificates& certificates) const {
-  certificates.clear();
+                                           FeaturePairSet among, bool apart,
+                                           PairCertificates& certificates) const {
+  certificates.clear(apart);
   if (among.has(FeaturePairSet::kContact)) {
-    const double apart = distance_apart(a.shape, b.shape);
-    const Certificate far = Certificate::within_distance(apart - limits_.cutoff - limits_.touch);
+    const double distance = distance_apart(a.shape, b.shape);
+    const Certificate far = Certificate::within_distance(distance - limits_.cutoff - limits_.touch);
     if (far.holds()) return far;
-    certificates.set(FeaturePairSet::kContact, Certificate::within_distance(apart - 2 * limits_.touch));
+    const Certificate apart_still = Certificate::within_distance(distance - close());
+    certificates.clear(apart && apart_still.holds());
+    certificates.set(FeaturePairSet::kContact, apart_still);
   }
   if (among.has(FeaturePairSet::kFaces)) certificates.set(FeaturePairSet::kFaces, faces(a, b));
   corners_and_face(b_, b, a_, a, among, certificates);
@@ -139,10 +143,19 @@ void FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b,
       const double lengths = glm::length(u) + glm::length(v);
       const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
+      if (rate_.lifetime(one) < kLongLived && !near) one = longer(one, arcs_apart(a, i, b, j), rate_);
       if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j, near), rate_);
       to.set(pair, one);
     }
   }
+}
+
+// No direction at right angles to the one edge is in the polar cone of the other.
+Certificate FeatureCertificate::arcs_apart(const TestedTriangle& a, int i, const TestedTriangle& b,
+                                           int j) const {
+  const double beside = std::max(PolarArc::of(b_, b_.edge(b, j)).beside(glm::normalize(a.shape.along(i))),
+                                 PolarArc::of(a_, a_.edge(a, i)).beside(glm::normalize(b.shape.along(j))));
+  return Certificate::within_angle(beside - 4 * limits_.parallel_tolerance);
 }
 
 // Edges that are nearly parallel may hold a cell of a plateau, and cross anywhere as they turn. For others
@@ -199,14 +212,15 @@ void FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const Te
       const int pair = FeaturePairSet::corner_and_edge(corner_side.is_b, k, j);
       if ((!near && !(edges.has_side(j) && corners.has_corner(k))) || !among.has(pair)) continue;
       to.set(pair, corner_and_edge(corner_side, corner_side.vertex(corners, k), corners.shape.corner[k],
-                                   edge_side, edges, j, near));
+                                   edge_side, edges, j, near, to.apart()));
     }
   }
 }
 
 Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, const Feature& vertex,
                                                 const DVec3& corner, const MeshSide& edge_side,
-                                                const TestedTriangle& edges, int j, bool near) const {
+                                                const TestedTriangle& edges, int j, bool near,
+                                                bool apart) const {
   const DVec3 along = edges.shape.along(j);
   const double length = glm::length(along);
   const double place = glm::dot(corner - edges.shape.start(j), along) / length;
@@ -216,11 +230,18 @@ Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, con
       std::max(-place, place - length) - seam_at_ends(edge_side, edges, j, limits_.cutoff, near);
   const Certificate by_place = seen_from(edge_side, std::max(past_end, distance - limits_.cutoff));
   if (rate_.lifetime(by_place) >= kLongLived || !(distance > 0)) return by_place;
-  const DVec3 u = between / distance;
   const Feature edge = edge_side.edge(edges, j);
+  Certificate one = by_place;
+  if (!near) {
+    const Certificate turn = Certificate::within_angle(
+        PolarArc::of(edge_side, edge).beyond(corner_side, vertex) - 4 * limits_.parallel_tolerance);
+    one = longer(one, apart ? turn : both(turn, seen_from(edge_side, distance - close())), rate_);
+    if (rate_.lifetime(one) >= kLongLived) return one;
+  }
+  const DVec3 u = between / distance;
   const Certificate beside = seen_from(edge_side, lateral(beyond(edge_side, edge, u, near), distance));
   const Certificate below = leaning_from_corner(corner_side, beyond(corner_side, vertex, -u, near), distance);
-  return longer(by_place, longer(beside, below, rate_), rate_);
+  return longer(one, longer(beside, below, rate_), rate_);
 }
 
 void FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,

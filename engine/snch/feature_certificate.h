@@ -23,8 +23,9 @@ class FeatureCertificate {
   void include_near_minima(const Creases& a, const Creases& b) { creases_a_ = &a, creases_b_ = &b; }
 
   // How long the triangles are farther apart than the cutoff, so that no pair of features holds anything.
-  // Else fills `certificates` with those of the pairs of features `among` all.
-  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+  // Else fills `certificates` with those of the pairs of features `among` all. With `apart` contact is among
+  // them or has a certificate that holds, and some hold no longer than that.
+  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among, bool apart,
                          PairCertificates& certificates) const;
 
   // What `u` must turn to hold a minimum at an edge or vertex, or a near one. The end of `u` must also move
@@ -50,6 +51,7 @@ class FeatureCertificate {
                         const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
   void edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
              PairCertificates& to) const;
+  Certificate arcs_apart(const TestedTriangle& a, int i, const TestedTriangle& b, int j) const;
   Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
   Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
                                     double sine, bool near) const;
@@ -58,16 +60,21 @@ class FeatureCertificate {
                          const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among,
                          PairCertificates& to) const;
   Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
-                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near) const;
+                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near,
+                              bool apart) const;
   Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
   void edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges, const MeshSide& face_side,
                       const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
   void corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
                PairCertificates& to) const;
 
+  // Nearer than this the direction between two points is known less well than to the tolerance.
+  double close() const { return kClose * limits_.touch; }
   double lateral(double beyond, double distance) const;
   Certificate leaning_from_corner(const MeshSide& corner_side, double beyond, double distance) const;
   const Creases& creases(const MeshSide& side) const { return side.is_b ? *creases_b_ : *creases_a_; }
+
+  static constexpr double kClose = 1e6;
 
   const MeshSide a_;
   const MeshSide b_;
