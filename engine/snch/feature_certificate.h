@@ -2,6 +2,7 @@
 
 #include "engine/mesh/creases.h"
 #include "engine/snch/feature_pairs.h"
+#include "engine/snch/measured_triangle.h"
 #include "engine/snch/odometer.h"
 #include "engine/snch/pair_certificates.h"
 
@@ -47,27 +48,25 @@ class FeatureCertificate {
 
  private:
   double distance_apart(const Triangle& a, const Triangle& b) const;
-  void corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners, const MeshSide& face_side,
-                        const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
-  void edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
-             PairCertificates& to) const;
-  Certificate arcs_apart(const TestedTriangle& a, int i, const TestedTriangle& b, int j) const;
-  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
-  Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
-                                    double sine, bool near) const;
+  void corners_and_face(const MeasuredTriangle& corners, const MeasuredTriangle& face, FeaturePairSet among,
+                        PairCertificates& to) const;
+  void edges(MeasuredTriangle& a, MeasuredTriangle& b, FeaturePairSet among, PairCertificates& to) const;
+  Certificate arcs_apart(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j) const;
+  Certificate edge_pair(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j, bool near) const;
+  Certificate common_normal_leaning(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j,
+                                    const DVec3& normal, double sine, bool near) const;
   Certificate across_normal(double slack, double arm, double sine) const;
-  void corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                         const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among,
+  void corners_and_edges(const MeasuredTriangle& corners, MeasuredTriangle& edges, FeaturePairSet among,
                          PairCertificates& to) const;
-  Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
-                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near,
-                              bool apart) const;
-  Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
-  void edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges, const MeshSide& face_side,
-                      const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
-  void corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+  Certificate corner_and_edge(const MeasuredTriangle& corners, int k, MeasuredTriangle& edges, int j,
+                              bool near, bool apart) const;
+  Certificate faces(const MeasuredTriangle& a, const MeasuredTriangle& b) const;
+  void edges_and_face(MeasuredTriangle& edges, const MeasuredTriangle& face, FeaturePairSet among,
+                      PairCertificates& to) const;
+  void corners(const MeasuredTriangle& a, const MeasuredTriangle& b, FeaturePairSet among,
                PairCertificates& to) const;
 
+  double beyond_edge(MeasuredTriangle& edges, int k, const DVec3& u, bool near) const;
   // Nearer than this the direction between two points is known less well than to the tolerance.
   double close() const { return kClose * limits_.touch; }
   double lateral(double beyond, double distance) const;

@@ -6,18 +6,26 @@
 
 namespace palpate {
 
-// The directions, in A's frame, in which a minimum can leave an edge: those between the normals of its two
-// triangles. An edge with another number of triangles, or one that minima may leave inward, has no such
-// bound.
+// The directions, in A's frame, in which a minimum can leave a side that a triangle owns: those between the
+// normals of its two triangles. An edge with another number of them, or one that minima may leave inward, has
+// no such bound.
 struct PolarArc {
   bool bounded;
-  DVec3 from;
+  DVec3 along;  // the side, of unit length, as it runs around its owner
+  DVec3 from;   // the owner's normal
   DVec3 to;
 
-  static PolarArc of(const MeshSide& side, const Feature& edge) {
+  PolarArc(const MeshSide& side, const Feature& edge, const DVec3& along, const DVec3& normal)
+      : bounded(false), along(along), from(normal), to(normal) {
     const auto triangles = side.mesh.edge_triangles[edge.index];
-    if (triangles.size() != 2 || !side.mesh.edge_flags[edge.index].outward) return {false, {}, {}};
-    return {true, side.normal(triangles[0]), side.normal(triangles[1])};
+    bounded = triangles.size() == 2 && side.mesh.edge_flags[edge.index].outward;
+    if (bounded) to = side.normal(triangles[1]);
+  }
+
+  // The largest lean of a direction at right angles to the side outside its polar cone, as edge_violation().
+  double violation(const DVec3& u) const {
+    const DVec3 across = glm::cross(along, u);
+    return std::max(glm::dot(from, across), -glm::dot(to, across));
   }
 
   // At least how far all of them lean to one side of the plane at right angles to a unit direction; not
