@@ -10,9 +10,6 @@
 namespace palpate {
 namespace {
 
-// A certificate that holds for so many ticks need not be bettered.
-constexpr double kLongLived = 16.0;
-
 // Vectors a and b with |a − b| ≤ |a| / 2 differ in direction by no more than this times |a − b| / |a|:
 // 2 |a − b| / (|a| + |b|) bounds the chord.
 constexpr double kTurn = 4.0 / 3.0 + 1e-9;
@@ -52,7 +49,7 @@ Certificate FeatureCertificate::operator()(const TestedTriangle& a, const Tested
 // A lower bound of the distance, at its best if it is likely to be used up soon; 0 if the triangles touch.
 double FeatureCertificate::distance_apart(const Triangle& a, const Triangle& b) const {
   const double by_plane = std::max(plane_gap(a, b), certified_from_b(plane_gap(b, a), reach_));
-  if (rate_.lifetime(Certificate::within_distance(by_plane)) >= kLongLived) return by_plane;
+  if (is_long(Certificate::within_distance(by_plane))) return by_plane;
   const ClosestPoints closest = closest_points(a, b);
   return triangles_touch(a, b, closest, limits_.touch) ? 0.0 : std::sqrt(closest.squared_distance);
 }
@@ -75,7 +72,7 @@ void FeatureCertificate::corners_and_face(const MeasuredTriangle& corners, const
       outside = std::max(outside, glm::dot(face.away(side), corner - face.shape().start(side)) -
                                       seam_at_side(face.side(), face.tested(), side, near));
     Certificate one = seen_from(face.side(), outside);
-    if (rate_.lifetime(one) < kLongLived) {
+    if (!is_long(one)) {
       const Feature vertex = corners.vertex(k);
       double outside_cone = beyond(corners.side(), vertex, -normal, near);
       if (face.two_sided())
@@ -113,7 +110,7 @@ void FeatureCertificate::edges_and_face(MeasuredTriangle& edges, const MeasuredT
     Certificate one = seen_from(face.side(), outside);
     const double tilt = std::abs(glm::dot(normal, edges.along(j)));
     one = longer(one, Certificate::within_angle(tilt - 2 * limits_.parallel_tolerance), rate_);
-    if (rate_.lifetime(one) < kLongLived) {
+    if (!is_long(one)) {
       double lean = beyond_edge(edges, j, -normal, false);
       if (face.two_sided()) lean = std::min(lean, beyond_edge(edges, j, normal, false));
       one = longer(one, Certificate::within_angle(lean - limits_.parallel_tolerance), rate_);
@@ -136,8 +133,8 @@ void FeatureCertificate::edges(MeasuredTriangle& a, MeasuredTriangle& b, Feature
           0.5 * (b.shape().start(j) + b.shape().end(j) - a.shape().start(i) - a.shape().end(i));
       const double lengths = a.length(i) + b.length(j);
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived && !near) one = longer(one, arcs_apart(a, i, b, j), rate_);
-      if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j, near), rate_);
+      if (!is_long(one) && !near) one = longer(one, arcs_apart(a, i, b, j), rate_);
+      if (!is_long(one)) one = longer(one, edge_pair(a, i, b, j, near), rate_);
       to.set(pair, one);
     }
   }
@@ -171,7 +168,7 @@ Certificate FeatureCertificate::edge_pair(MeasuredTriangle& a, int i, MeasuredTr
   const double slack = std::max(past_end * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
   const Certificate across = across_normal(slack, arm, sine);
-  if (rate_.lifetime(across) >= kLongLived) return across;
+  if (is_long(across)) return across;
   return longer(across, common_normal_leaning(a, i, b, j, normal, sine, near), rate_);
 }
 
@@ -220,13 +217,13 @@ Certificate FeatureCertificate::corner_and_edge(const MeasuredTriangle& corners,
   const double past_end =
       std::max(-place, place - length) - seam_at_ends(edges.side(), edges.tested(), j, limits_.cutoff, near);
   Certificate one = seen_from(edges.side(), std::max(past_end, distance - limits_.cutoff));
-  if (rate_.lifetime(one) >= kLongLived || !(distance > 0)) return one;
+  if (is_long(one) || !(distance > 0)) return one;
   const Feature vertex = corners.vertex(k);
   if (!near) {
     const double lean = edges.arc(j).beyond(corners.side(), vertex);
     const Certificate turn = Certificate::within_angle(lean - 4 * limits_.parallel_tolerance);
     one = longer(one, apart ? turn : both(turn, seen_from(edges.side(), distance - close())), rate_);
-    if (rate_.lifetime(one) >= kLongLived) return one;
+    if (is_long(one)) return one;
   }
   const DVec3 u = between / distance;
   const Certificate beside = seen_from(edges.side(), lateral(beyond_edge(edges, j, u, near), distance));
@@ -248,7 +245,7 @@ void FeatureCertificate::corners(const MeasuredTriangle& a, const MeasuredTriang
       const DVec3 between = of_b.shape.corner[j] - of_a.shape.corner[i];
       const double distance = glm::length(between);
       Certificate one = Certificate::within_distance(distance - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived && distance > 0) {
+      if (!is_long(one) && distance > 0) {
         const DVec3 u = between / distance;
         one = longer(one, seen_from(a_, lateral(beyond(a_, a.vertex(i), u, near), distance)), rate_);
         one = longer(one, seen_from(b_, lateral(beyond(b_, b.vertex(j), -u, near), distance)), rate_);

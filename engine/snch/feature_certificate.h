@@ -40,6 +40,9 @@ class FeatureCertificate {
   // A slack that is measured in the frame of a side.
   Certificate seen_from(const MeshSide& side, double slack) const;
 
+  // It need not be bettered.
+  bool is_long(const Certificate& certificate) const { return rate_.lifetime(certificate) >= kLongLived; }
+
   // Of two certificates the one that is likely to hold longer.
   Certificate better(const Certificate& one, const Certificate& other) const {
     return longer(one, other, rate_);
@@ -74,6 +77,7 @@ class FeatureCertificate {
   const Creases& creases(const MeshSide& side) const { return side.is_b ? *creases_b_ : *creases_a_; }
 
   static constexpr double kClose = 1e6;
+  static constexpr double kLongLived = 16.0;  // ticks
 
   const MeshSide a_;
   const MeshSide b_;

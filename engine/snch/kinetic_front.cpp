@@ -332,7 +332,7 @@ void KineticFront::remove_opened() {
 // What the bounds say, or the features if one is in the place of its triangle.
 Certificate KineticFront::certificate_of(const Tick& tick, NodePair pair, Certificate bounds) const {
   const FeatureNode a(pair.a), b(pair.b);
-  if (!a.is_feature() && !b.is_feature()) return bounds;
+  if ((!a.is_feature() && !b.is_feature()) || tick.feature_certificate.is_long(bounds)) return bounds;
   const Certificate features =
       a.is_feature() ? tick.coarse_a(tested(tick, a.node(), false), a.place(), tick.tree_b.node(b.node()))
                      : tick.coarse_b(tested(tick, b.node(), true), b.place(), tick.tree_a.node(a.node()));
