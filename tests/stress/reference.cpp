@@ -12,6 +12,11 @@ constexpr double kClearLean = 1e-12;
 constexpr double kEnd = 1e-12;  // nearer to its end than that, a point is not on a feature
 constexpr double kClearEnd = 1e-10;
 constexpr double kPlateauEnd = 4e-7;
+
+// Of a plateau, rounding may let an end lean outside; up to nearly the angle below which directions count as
+// parallel it must be found all the same. Farther outside it is no minimum by the definition, however near.
+constexpr double kPlateauLean = 9e-7;
+
 constexpr double kClearOutward = 1e-7;
 constexpr double kNearTouch = 1e-12;
 constexpr double kEdgesParallel = 2e-9;
@@ -226,7 +231,8 @@ void Reference::measure(std::uint32_t in_a, std::uint32_t in_b) {
     };
     wanted.certain = length(cross(along(a_, in_a, at.place_a), along(b_, in_b, at.place_b))) > kEdgesParallel;
   }
-  const bool plateau = lean < 1e-15 + rounding_ / at.distance && at.margin > kPlateauEnd;
+  const Real plateau_lean = std::min(1e-15 + rounding_ / at.distance, Real(kPlateauLean));
+  const bool plateau = lean < plateau_lean && at.margin > kPlateauEnd;
   wanted.certain = wanted.certain || plateau;
   wanted_.push_back(wanted);
 }
