@@ -47,7 +47,7 @@ inline bool is_closer(const DescentPoint& next, const DescentPoint& now) {
   return next.closest.squared_distance < kDecrease * now.closest.squared_distance;
 }
 
-// A descent that takes more steps is dropped; the paper's motions need a handful.
+// A descent that takes more steps is cut short; the paper's motions need a handful.
 inline constexpr int kMaxDescentSteps = 64;
 
 }  // namespace palpate

@@ -68,6 +68,7 @@ struct LmdTracker::Tick {
 void LmdTracker::fix(const Room& room) {
   fixed_ = true;
   seeds_.reserve(2 * room.minima);  // those followed, and those of a search
+  unfinished_.reserve(seeds_.capacity());
   explored_.reserve(kMaxExplored);
   minima_.reserve(room.minima);
   grouper_.fix(minima_.capacity());
@@ -88,13 +89,7 @@ void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
 }
 
 void LmdTracker::adopt(std::span<const TrianglePair> seeds) {
-  for (const TrianglePair& seed : seeds) {
-    if (fixed_ && !has_room(seeds_, 1)) {
-      overflowed_ = true;
-      break;
-    }
-    seeds_.emplace_back(seed);
-  }
+  for (const TrianglePair& seed : seeds) add_seed(Seed(seed));
   sort_seeds();
 }
 
@@ -114,6 +109,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   work_ = {};
   minima_.clear();
   explored_.clear();
+  unfinished_.clear();
   for (const Seed& seed : seeds_) follow_seed(tick, seed, found);
 
   std::sort(minima_.begin(), minima_.end(), precedes);
@@ -124,17 +120,19 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   found.cut |= std::exchange(overflowed_, false);
   seeds_.clear();
   remember(a, b, found);
+  for (const TrianglePair& pair : unfinished_) add_seed(Seed(pair));
   drop_sets_beyond(cutoff, found);
 }
 
 void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
-  for (const Lmd& lmd : found.lmds) {
-    if (fixed_ && !has_room(seeds_, 1)) {
-      overflowed_ = true;
-      return;
-    }
-    seeds_.emplace_back(a, b, lmd);
-  }
+  for (const Lmd& lmd : found.lmds) add_seed(Seed(a, b, lmd));
+}
+
+void LmdTracker::add_seed(const Seed& seed) {
+  if (fixed_ && !has_room(seeds_, 1))
+    overflowed_ = true;
+  else
+    seeds_.push_back(seed);
 }
 
 void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) {
@@ -146,7 +144,7 @@ void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) 
   }
   if (form_ == DescentForm::kPolar && stands(tick, seed, test)) return;
   DescentPoint point = tick.pair.measure(seed.triangles, work_);
-  if (!descend(tick.pair, point)) return;
+  if (!descend(tick.pair, point)) return unfinished_.push_back(point.triangles);
   const Triangle in_a = triangle_of(tick.pair.a(), point.triangles.a);
   const Triangle in_b = triangle_of(tick.pair.b(), point.triangles.b, tick.pair.placement());
   if (triangles_touch(in_a, in_b, point.closest, tick.limits.touch))

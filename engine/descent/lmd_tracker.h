@@ -16,9 +16,9 @@ namespace palpate {
 enum class DescentForm { kPolar, kNeighbourhood };
 
 // Follows the local minimum distances of two models from pose to pose by local descent. It finds no new ones:
-// those come from a search, which may be of an older pose. What does not end in a local minimum is dropped;
-// what meets at one place is merged. The cost is that of the LMDs, not of the models. Keeps its memory from
-// call to call.
+// those come from a search, which may be of an older pose. What does not end in a local minimum is dropped,
+// what takes too many steps goes on at the next pose, what meets at one place is merged. The cost is that of
+// the LMDs, not of the models. Keeps its memory from call to call.
 class LmdTracker {
  public:
   explicit LmdTracker(DescentForm form = DescentForm::kPolar) : form_(form) {}
@@ -54,6 +54,7 @@ class LmdTracker {
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
   void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found);
   void sort_seeds();
+  void add_seed(const Seed& seed);
   void remember(const Mesh& a, const Mesh& b, const LmdSet& found);
 
   DescentForm form_;
@@ -63,7 +64,8 @@ class LmdTracker {
   NeighbourhoodDescent neighbourhood_;
   PlateauGrouper grouper_;
   std::vector<Seed> seeds_;
-  std::vector<TrianglePair> explored_;  // pairs of triangles of plateaus met in this tick
+  std::vector<TrianglePair> unfinished_;  // where descents of this tick stand that go on in the next
+  std::vector<TrianglePair> explored_;    // pairs of triangles of plateaus met in this tick
   std::vector<Minimum> minima_;
   DescentWork work_;
 };

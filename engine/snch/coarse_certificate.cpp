@@ -68,7 +68,7 @@ Certificate CoarseCertificate::face(const TestedTriangle& triangle, const Bound&
   const double slack = 2 * limits_.touch + fine.radius;
   const Certificate beyond =
       features_.seen_from(coarse_, std::max(outside, std::abs(height) - limits_.cutoff) - slack);
-  if (!fine.bounded || two_sided) return beyond;
+  if (!fine.bounded || two_sided || features_.is_long(beyond)) return beyond;
   const double apart = std::max(outside, std::abs(height)) - slack;
   const Certificate turned = Certificate::within_angle(glm::length(fine.axis + normal) - fine.chord -
                                                        4 * limits_.parallel_tolerance);
@@ -81,11 +81,12 @@ Certificate CoarseCertificate::side(const TestedTriangle& triangle, int k, const
   const bool is_near = triangle.has_near_side(k);
   const bool ends = features_.seam_at_ends(coarse_, triangle, k, limits_.cutoff, is_near) == 0.0;
   const Certificate near = ends ? along_cone(from, to, fine) : Certificate{};
-  if (!fine.bounded) return near;
+  if (!fine.bounded || features_.is_long(near)) return near;
   // Directions at right angles to the side.
   const DVec3 along = glm::normalize(to - from);
   const Certificate across = Certificate::within_angle(std::abs(glm::dot(fine.axis, along)) - fine.chord -
                                                        4 * limits_.parallel_tolerance);
+  if (features_.is_long(across)) return across;
   const Certificate lean = leaning(coarse_.edge(triangle, k), fine, is_near);
   return features_.better(near, features_.better(across, lean));
 }
@@ -93,7 +94,7 @@ Certificate CoarseCertificate::side(const TestedTriangle& triangle, int k, const
 Certificate CoarseCertificate::corner(const TestedTriangle& triangle, int k, const Bound& fine) const {
   const DVec3& corner = triangle.shape.corner[k];
   const Certificate near = along_cone(corner, corner, fine);
-  if (!fine.bounded) return near;
+  if (!fine.bounded || features_.is_long(near)) return near;
   return features_.better(near, leaning(coarse_.vertex(triangle, k), fine, triangle.has_near_corner(k)));
 }
 

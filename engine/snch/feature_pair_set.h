@@ -58,6 +58,7 @@ class FeaturePairSet {
   bool empty() const { return bits_ == 0; }
   bool has(int pair) const { return (bits_ >> pair & 1) != 0; }
   void add(int pair) { bits_ |= std::uint64_t{1} << pair; }
+  void add(FeaturePairSet pairs) { bits_ |= pairs.bits_; }
 
   // Any of `count` pairs from `first` on.
   bool has_any(int first, int count) const {
