@@ -110,7 +110,8 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   minima_.clear();
   explored_.clear();
   unfinished_.clear();
-  for (const Seed& seed : seeds_) follow_seed(tick, seed, found);
+  FeaturePairTest test(a, b, placement, tick.limits, minima_);
+  for (const Seed& seed : seeds_) follow_seed(tick, seed, test, found);
 
   std::sort(minima_.begin(), minima_.end(), precedes);
   minima_.erase(std::unique(minima_.begin(), minima_.end(), same_minimum), minima_.end());
@@ -125,7 +126,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
 }
 
 void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
-  for (const Lmd& lmd : found.lmds) add_seed(Seed(a, b, lmd));
+  for (const Lmd& lmd : found.lmds) add_seed(Seed(a, b, lmd.feature_a, lmd.feature_b));
 }
 
 void LmdTracker::add_seed(const Seed& seed) {
@@ -135,9 +136,8 @@ void LmdTracker::add_seed(const Seed& seed) {
     seeds_.push_back(seed);
 }
 
-void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) {
+void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest& test, LmdSet& found) {
   ++work_.descents;
-  FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
   if (!has_room_for_test()) {
     found.cut = true;
     return;
@@ -157,11 +157,22 @@ void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) 
 // a descent by polar cones would end where it began.
 bool LmdTracker::stands(const Tick& tick, const Seed& seed, FeaturePairTest& test) {
   const std::size_t before = minima_.size();
+  const Seed here = walked(tick.pair, seed);
   ++work_.triangle_pairs;
-  test(tick.tested_a(seed.triangles.a, seed.at_a), tick.tested_b(seed.triangles.b, seed.at_b));
+  test(tick.tested_a(here.triangles.a, here.at_a), tick.tested_b(here.triangles.b, here.at_b),
+       FeaturePairSet::of(here.at_a, here.at_b));
   if (alone_since(before)) return true;
   minima_.erase(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end());
   return false;
+}
+
+// Where it leads on is tested once more; nothing is lost if it is wrong.
+Seed LmdTracker::walked(const DescentPair& pair, const Seed& seed) {
+  Feature a = feature_at(pair.a(), seed.triangles.a, seed.at_a),
+          b = feature_at(pair.b(), seed.triangles.b, seed.at_b);
+  const std::uint64_t steps = work_.steps;
+  if (!FeatureWalk(pair).settle(a, b, work_) || work_.steps == steps) return seed;
+  return Seed(pair.a(), pair.b(), a, b);
 }
 
 bool LmdTracker::alone_since(std::size_t before) const {
@@ -182,9 +193,9 @@ void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePair
     found.cut = true;
     return;
   }
-  const auto [a, b] = point.triangles;
+  const Seed here(tick.pair.a(), tick.pair.b(), tick.pair.feature_a(point), tick.pair.feature_b(point));
   const std::size_t before = minima_.size();
-  test(tick.tested_a(a, point.closest.first_place), tick.tested_b(b, point.closest.second_place));
+  test(tick.tested_a(here.triangles.a, here.at_a), tick.tested_b(here.triangles.b, here.at_b));
   if (!alone_since(before)) explore_plateau(tick, point.triangles, test, found);
 }
 

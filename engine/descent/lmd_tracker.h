@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/descent/descent_pair.h"
+#include "engine/descent/feature_walk.h"
 #include "engine/descent/neighbourhood_descent.h"
 #include "engine/descent/polar_descent.h"
 #include "engine/descent/seed.h"
@@ -47,8 +48,9 @@ class LmdTracker {
  private:
   struct Tick;
   bool has_room_for_test() const;
-  void follow_seed(const Tick& tick, const Seed& seed, LmdSet& found);
+  void follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest& test, LmdSet& found);
   bool stands(const Tick& tick, const Seed& seed, FeaturePairTest& test);
+  Seed walked(const DescentPair& pair, const Seed& seed);
   bool alone_since(std::size_t before) const;
   bool descend(const DescentPair& pair, DescentPoint& point);
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
