@@ -12,16 +12,26 @@ constexpr double kRounding = 4e-6;
 // What the distance of parallel segments may be too large by, relative to their lengths.
 constexpr double kParallel = 1e-7;
 
+// NaN becomes 0.
+double unit(double x) {
+  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+}
+
 // The distance between two segments, or a little less: their parameters are noise where they are parallel.
 double distance_between(const DVec3& p, const DVec3& u, const DVec3& q, const DVec3& v) {
   const DVec3 between = q - p;
   const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
   const double ub = glm::dot(u, between), vb = glm::dot(v, between), area = uu * vv - uv * uv;
-  const auto unit = [](double x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; };
   double s = unit((ub * vv - vb * uv) / area);
   const double t = unit((s * uv - vb) / vv);
   s = unit((t * uv + ub) / uu);
   return glm::length(between + t * v - s * u) - kParallel * (std::sqrt(uu) + std::sqrt(vv));
+}
+
+// The distance between a point and a segment, which may be a point.
+double distance_to(const DVec3& point, const DVec3& p, const DVec3& u) {
+  const DVec3 between = point - p;
+  return glm::length(between - u * unit(glm::dot(between, u) / glm::dot(u, u)));
 }
 
 }  // namespace
@@ -101,10 +111,12 @@ Certificate CoarseCertificate::corner(const TestedTriangle& triangle, int k, con
 // A segment is out of reach, or not where the directions of the fine model lead.
 Certificate CoarseCertificate::along_cone(const DVec3& from, const DVec3& to, const Bound& fine) const {
   const double slack = fine.radius + 2 * limits_.touch;
-  const double apart = distance_between(from, to - from, fine.centre, DVec3(0.0));
+  const double apart = distance_to(fine.centre, from, to - from);
   const Certificate far = Certificate::within_distance(apart - slack - limits_.cutoff);
   if (far.holds() || !fine.bounded) return far;
-  const double beside = distance_between(from, to - from, fine.centre, limits_.cutoff * fine.axis);
+  const DVec3 sweep = limits_.cutoff * fine.axis;
+  const double beside = from == to ? distance_to(from, fine.centre, sweep)
+                                   : distance_between(from, to - from, fine.centre, sweep);
   return features_.seen_from(fine_, beside - slack - limits_.cutoff * (fine.chord + kRounding));
 }
 

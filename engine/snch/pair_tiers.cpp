@@ -1,6 +1,7 @@
 #include "engine/snch/pair_tiers.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace palpate {
 
@@ -21,10 +22,11 @@ Until PairTiers::first() const {
   return first;
 }
 
+// By the exponent: lifetimes are not negative, and come in no order that a branch could guess.
 std::size_t PairTiers::tier_of(double lifetime) {
-  std::size_t tier = 0;
-  for (double bound = kShortest; tier + 1 < kTiers && lifetime >= bound; bound *= kStep) ++tier;
-  return tier;
+  constexpr std::uint64_t kBias = 1023;
+  const std::uint64_t exponent = std::max(std::bit_cast<std::uint64_t>(lifetime) >> 52, kBias) - kBias;
+  return std::min<std::size_t>((exponent + 1) / 2, kTiers - 1);
 }
 
 void PairTiers::renew(const PairCertificates& certificates, const MotionRate& rate,

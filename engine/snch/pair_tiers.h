@@ -24,10 +24,8 @@ class PairTiers {
   void set_back(const Readings& readings);
 
  private:
-  // Each for lifetimes four times those of the one before, from two ticks on.
+  // Lifetimes below 2, 8, 32 and 128 ticks, and others.
   static constexpr std::size_t kTiers = 5;
-  static constexpr double kShortest = 2.0;
-  static constexpr double kStep = 4.0;
 
   struct Tier {
     FeaturePairSet pairs;

@@ -104,6 +104,12 @@ INSTANTIATE_TEST_SUITE_P(EndsOfPlateaus, KnownStress,
 // An edge over another at a distance that rounding of corners, but not of directions, is large beside.
 INSTANTIATE_TEST_SUITE_P(NearlyTouching, KnownStress, testing::Values(KnownCase{"nearly flat", 1, 1463}));
 
+// A crossing or a foot 10⁻¹² from the end of its edge.
+INSTANTIATE_TEST_SUITE_P(BesideEnds, KnownStress,
+                         testing::Values(KnownCase{"open surfaces", 100, 764},
+                                         KnownCase{"open surfaces", 100, 11810},
+                                         KnownCase{"open surfaces", 100, 14085}));
+
 // A near minimum goes over from one piece of a patch or line to the next, or past the end of a line.
 INSTANTIATE_TEST_SUITE_P(HandOvers, KnownStress,
                          testing::Values(KnownCase{"coplanar, collinear", 1, 2119},
