@@ -106,6 +106,7 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   const Tick tick{
       pair, {options.cutoff / a.frame.scale, touch, options.parallel_tolerance}, options.max_overlaps};
   found.clear();
+  moving_ = work_.steps > work_.descents / 2;
   work_ = {};
   minima_.clear();
   explored_.clear();
@@ -154,25 +155,30 @@ void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest
 
 // Most minima stay on their features. Squared distance is convex on a pair of triangles, so a minimum that is
 // alone is the pair's one pair of closest points, no lean leads away from it, and the triangles do not cross:
-// a descent by polar cones would end where it began.
+// a descent by polar cones would end where it began. The others have mostly gone to a feature near by.
 bool LmdTracker::stands(const Tick& tick, const Seed& seed, FeaturePairTest& test) {
-  const std::size_t before = minima_.size();
+  if (!moving_ && holds(tick, seed, test)) return true;
   const Seed here = walked(tick.pair, seed);
-  ++work_.triangle_pairs;
-  test(tick.tested_a(here.triangles.a, here.at_a), tick.tested_b(here.triangles.b, here.at_b),
-       FeaturePairSet::of(here.at_a, here.at_b));
-  if (alone_since(before)) return true;
-  minima_.erase(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end());
-  return false;
+  return (moving_ || here != seed) && holds(tick, here, test);
 }
 
-// Where it leads on is tested once more; nothing is lost if it is wrong.
+// Where it leads on is tested; nothing is lost if it is wrong.
 Seed LmdTracker::walked(const DescentPair& pair, const Seed& seed) {
   Feature a = feature_at(pair.a(), seed.triangles.a, seed.at_a),
           b = feature_at(pair.b(), seed.triangles.b, seed.at_b);
   const std::uint64_t steps = work_.steps;
   if (!FeatureWalk(pair).settle(a, b, work_) || work_.steps == steps) return seed;
   return Seed(pair.a(), pair.b(), a, b);
+}
+
+bool LmdTracker::holds(const Tick& tick, const Seed& seed, FeaturePairTest& test) {
+  const std::size_t before = minima_.size();
+  ++work_.triangle_pairs;
+  test(tick.tested_a(seed.triangles.a, seed.at_a), tick.tested_b(seed.triangles.b, seed.at_b),
+       FeaturePairSet::of(seed.at_a, seed.at_b));
+  if (alone_since(before)) return true;
+  minima_.erase(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end());
+  return false;
 }
 
 bool LmdTracker::alone_since(std::size_t before) const {

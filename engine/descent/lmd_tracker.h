@@ -51,6 +51,7 @@ class LmdTracker {
   void follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest& test, LmdSet& found);
   bool stands(const Tick& tick, const Seed& seed, FeaturePairTest& test);
   Seed walked(const DescentPair& pair, const Seed& seed);
+  bool holds(const Tick& tick, const Seed& seed, FeaturePairTest& test);
   bool alone_since(std::size_t before) const;
   bool descend(const DescentPair& pair, DescentPoint& point);
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
@@ -62,6 +63,7 @@ class LmdTracker {
   DescentForm form_;
   bool fixed_ = false;
   bool overflowed_ = false;  // seeds found no room
+  bool moving_ = false;      // most minima left their features in the last tick, so look there last
   PolarDescent polar_;
   NeighbourhoodDescent neighbourhood_;
   PlateauGrouper grouper_;
