@@ -129,6 +129,16 @@ double vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& u) 
   return most;
 }
 
+double least_vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& from, const DVec3& to) {
+  const DVec3 start = mesh.position(vertex);
+  double most = -1.0;
+  for (std::uint32_t neighbour : mesh.vertex_neighbours[vertex]) {
+    const DVec3 along = mesh.position(neighbour) - start;
+    most = std::max(most, std::min(glm::dot(along, from), glm::dot(along, to)) / glm::length(along));
+  }
+  return most;
+}
+
 double edge_violation(const Mesh& mesh, std::uint32_t edge, const DVec3& u) {
   double most = -1.0;
   for (std::uint32_t triangle : mesh.edge_triangles[edge])

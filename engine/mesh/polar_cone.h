@@ -12,7 +12,11 @@ namespace palpate {
 // cone.
 double vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& u);
 
-// The same at an edge, for a u at right angles to it.
+// At least how far every direction between two leans outside the polar cone of a vertex: by one tangent
+// direction. The two are of unit length.
+double least_vertex_violation(const Mesh& mesh, std::uint32_t vertex, const DVec3& from, const DVec3& to);
+
+// The largest u·d at an edge, for a u at right angles to it.
 double edge_violation(const Mesh& mesh, std::uint32_t edge, const DVec3& u);
 
 // How far a direction leans outside a polar cone, and the triangle that holds the direction of the largest

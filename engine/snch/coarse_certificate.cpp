@@ -12,16 +12,26 @@ constexpr double kRounding = 4e-6;
 // What the distance of parallel segments may be too large by, relative to their lengths.
 constexpr double kParallel = 1e-7;
 
+// NaN becomes 0.
+double unit(double x) {
+  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+}
+
 // The distance between two segments, or a little less: their parameters are noise where they are parallel.
 double distance_between(const DVec3& p, const DVec3& u, const DVec3& q, const DVec3& v) {
   const DVec3 between = q - p;
   const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
   const double ub = glm::dot(u, between), vb = glm::dot(v, between), area = uu * vv - uv * uv;
-  const auto unit = [](double x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; };
   double s = unit((ub * vv - vb * uv) / area);
   const double t = unit((s * uv - vb) / vv);
   s = unit((t * uv + ub) / uu);
   return glm::length(between + t * v - s * u) - kParallel * (std::sqrt(uu) + std::sqrt(vv));
+}
+
+// The distance between a point and a segment, which may be a point.
+double distance_to(const DVec3& point, const DVec3& p, const DVec3& u) {
+  const DVec3 between = point - p;
+  return glm::length(between - u * unit(glm::dot(between, u) / glm::dot(u, u)));
 }
 
 }  // namespace
@@ -68,7 +78,7 @@ Certificate CoarseCertificate::face(const TestedTriangle& triangle, const Bound&
   const double slack = 2 * limits_.touch + fine.radius;
   const Certificate beyond =
       features_.seen_from(coarse_, std::max(outside, std::abs(height) - limits_.cutoff) - slack);
-  if (!fine.bounded || two_sided) return beyond;
+  if (!fine.bounded || two_sided || features_.is_long(beyond)) return beyond;
   const double apart = std::max(outside, std::abs(height)) - slack;
   const Certificate turned = Certificate::within_angle(glm::length(fine.axis + normal) - fine.chord -
                                                        4 * limits_.parallel_tolerance);
@@ -81,11 +91,12 @@ Certificate CoarseCertificate::side(const TestedTriangle& triangle, int k, const
   const bool is_near = triangle.has_near_side(k);
   const bool ends = features_.seam_at_ends(coarse_, triangle, k, limits_.cutoff, is_near) == 0.0;
   const Certificate near = ends ? along_cone(from, to, fine) : Certificate{};
-  if (!fine.bounded) return near;
+  if (!fine.bounded || features_.is_long(near)) return near;
   // Directions at right angles to the side.
   const DVec3 along = glm::normalize(to - from);
   const Certificate across = Certificate::within_angle(std::abs(glm::dot(fine.axis, along)) - fine.chord -
                                                        4 * limits_.parallel_tolerance);
+  if (features_.is_long(across)) return across;
   const Certificate lean = leaning(coarse_.edge(triangle, k), fine, is_near);
   return features_.better(near, features_.better(across, lean));
 }
@@ -93,17 +104,19 @@ Certificate CoarseCertificate::side(const TestedTriangle& triangle, int k, const
 Certificate CoarseCertificate::corner(const TestedTriangle& triangle, int k, const Bound& fine) const {
   const DVec3& corner = triangle.shape.corner[k];
   const Certificate near = along_cone(corner, corner, fine);
-  if (!fine.bounded) return near;
+  if (!fine.bounded || features_.is_long(near)) return near;
   return features_.better(near, leaning(coarse_.vertex(triangle, k), fine, triangle.has_near_corner(k)));
 }
 
 // A segment is out of reach, or not where the directions of the fine model lead.
 Certificate CoarseCertificate::along_cone(const DVec3& from, const DVec3& to, const Bound& fine) const {
   const double slack = fine.radius + 2 * limits_.touch;
-  const double apart = distance_between(from, to - from, fine.centre, DVec3(0.0));
+  const double apart = distance_to(fine.centre, from, to - from);
   const Certificate far = Certificate::within_distance(apart - slack - limits_.cutoff);
   if (far.holds() || !fine.bounded) return far;
-  const double beside = distance_between(from, to - from, fine.centre, limits_.cutoff * fine.axis);
+  const DVec3 sweep = limits_.cutoff * fine.axis;
+  const double beside = from == to ? distance_to(from, fine.centre, sweep)
+                                   : distance_between(from, to - from, fine.centre, sweep);
   return features_.seen_from(fine_, beside - slack - limits_.cutoff * (fine.chord + kRounding));
 }
 

@@ -10,9 +10,6 @@
 namespace palpate {
 namespace {
 
-// A certificate that holds for so many ticks need not be bettered.
-constexpr double kLongLived = 16.0;
-
 // Vectors a and b with |a − b| ≤ |a| / 2 differ in direction by no more than this times |a − b| / |a|:
 // 2 |a − b| / (|a| + |b|) bounds the chord.
 constexpr double kTurn = 4.0 / 3.0 + 1e-9;
@@ -25,157 +22,162 @@ FeatureCertificate::FeatureCertificate(const Mesh& a, const Mesh& b, const Place
     : a_{a, placement, false}, b_{b, placement, true}, limits_(limits), rate_(rate), reach_(reach) {}
 
 Certificate FeatureCertificate::operator()(const TestedTriangle& a, const TestedTriangle& b,
-                                           FeaturePairSet among, PairCertificates& certificates) const {
-  certificates.clear();
+                                           FeaturePairSet among, bool apart,
+                                           PairCertificates& certificates) const {
+  certificates.clear(apart);
   if (among.has(FeaturePairSet::kContact)) {
-    const double apart = distance_apart(a.shape, b.shape);
-    const Certificate far = Certificate::within_distance(apart - limits_.cutoff - limits_.touch);
+    const double distance = distance_apart(a.shape, b.shape);
+    const Certificate far = Certificate::within_distance(distance - limits_.cutoff - limits_.touch);
     if (far.holds()) return far;
-    certificates.set(FeaturePairSet::kContact, Certificate::within_distance(apart - 2 * limits_.touch));
+    const Certificate apart_still = Certificate::within_distance(distance - close());
+    certificates.clear(apart && apart_still.holds());
+    certificates.set(FeaturePairSet::kContact, apart_still);
   }
-  if (among.has(FeaturePairSet::kFaces)) certificates.set(FeaturePairSet::kFaces, faces(a, b));
-  corners_and_face(b_, b, a_, a, among, certificates);
-  corners_and_face(a_, a, b_, b, among, certificates);
-  edges_and_face(b_, b, a_, a, among, certificates);
-  edges_and_face(a_, a, b_, b, among, certificates);
-  edges(a, b, among, certificates);
-  corners_and_edges(b_, b, a_, a, among, certificates);
-  corners_and_edges(a_, a, b_, b, among, certificates);
-  corners(a, b, among, certificates);
+  MeasuredTriangle of_a(a_, a), of_b(b_, b);
+  if (among.has(FeaturePairSet::kFaces)) certificates.set(FeaturePairSet::kFaces, faces(of_a, of_b));
+  corners_and_face(of_b, of_a, among, certificates);
+  corners_and_face(of_a, of_b, among, certificates);
+  edges_and_face(of_b, of_a, among, certificates);
+  edges_and_face(of_a, of_b, among, certificates);
+  edges(of_a, of_b, among, certificates);
+  corners_and_edges(of_b, of_a, among, certificates);
+  corners_and_edges(of_a, of_b, among, certificates);
+  corners(of_a, of_b, among, certificates);
   return {};
 }
 
 // A lower bound of the distance, at its best if it is likely to be used up soon; 0 if the triangles touch.
 double FeatureCertificate::distance_apart(const Triangle& a, const Triangle& b) const {
   const double by_plane = std::max(plane_gap(a, b), certified_from_b(plane_gap(b, a), reach_));
-  if (rate_.lifetime(Certificate::within_distance(by_plane)) >= kLongLived) return by_plane;
+  if (is_long(Certificate::within_distance(by_plane))) return by_plane;
   const ClosestPoints closest = closest_points(a, b);
   return triangles_touch(a, b, closest, limits_.touch) ? 0.0 : std::sqrt(closest.squared_distance);
 }
 
-void FeatureCertificate::corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners,
-                                          const MeshSide& face_side, const TestedTriangle& face,
+void FeatureCertificate::corners_and_face(const MeasuredTriangle& corners, const MeasuredTriangle& face,
                                           FeaturePairSet among, PairCertificates& to) const {
-  if (!(corners.corners | corners.near_corners) ||
-      !among.has_any(FeaturePairSet::corner_and_face(corner_side.is_b, 0), 3))
+  const TestedTriangle& tested = corners.tested();
+  const bool is_b = corners.side().is_b;
+  if (!(tested.corners | tested.near_corners) || !among.has_any(FeaturePairSet::corner_and_face(is_b, 0), 3))
     return;
-  const Triangle& triangle = face.shape;
-  const DVec3 normal = face_side.normal(face);
-  const bool two_sided = face_side.mesh.double_sided[face.index];
+  const DVec3& normal = face.normal();
   for (int k = 0; k < 3; ++k) {
-    const int pair = FeaturePairSet::corner_and_face(corner_side.is_b, k);
-    const bool near = corners.has_near_corner(k);
-    if ((!near && !corners.has_corner(k)) || !among.has(pair)) continue;
-    const DVec3& corner = corners.shape.corner[k];
-    const double height = glm::dot(corner - triangle.corner[0], normal);
-    double outside = std::max(std::abs(height) - limits_.cutoff, two_sided ? 0.0 : -height);
-    for (int side = 0; side < 3; ++side) {
-      const DVec3 along = triangle.along(side);
-      const DVec3 away = glm::cross(along, normal) / glm::length(along);
-      outside = std::max(
-          outside, glm::dot(away, corner - triangle.start(side)) - seam_at_side(face_side, face, side, near));
-    }
-    Certificate one = seen_from(face_side, outside);
-    if (rate_.lifetime(one) < kLongLived) {
-      const Feature vertex = corner_side.vertex(corners, k);
-      double outside_cone = beyond(corner_side, vertex, -normal, near);
-      if (two_sided) outside_cone = std::min(outside_cone, beyond(corner_side, vertex, normal, near));
+    const int pair = FeaturePairSet::corner_and_face(is_b, k);
+    const bool near = tested.has_near_corner(k);
+    if ((!near && !tested.has_corner(k)) || !among.has(pair)) continue;
+    const DVec3& corner = corners.shape().corner[k];
+    const double height = glm::dot(corner - face.shape().corner[0], normal);
+    double outside = std::max(std::abs(height) - limits_.cutoff, face.two_sided() ? 0.0 : -height);
+    for (int side = 0; side < 3; ++side)
+      outside = std::max(outside, glm::dot(face.away(side), corner - face.shape().start(side)) -
+                                      seam_at_side(face.side(), face.tested(), side, near));
+    Certificate one = seen_from(face.side(), outside);
+    if (!is_long(one)) {
+      const Feature vertex = corners.vertex(k);
+      double outside_cone = beyond(corners.side(), vertex, -normal, near);
+      if (face.two_sided())
+        outside_cone = std::min(outside_cone, beyond(corners.side(), vertex, normal, near));
       one = longer(one, Certificate::within_angle(outside_cone), rate_);
     }
     to.set(pair, one);
   }
 }
 
-// Until they are parallel.
-Certificate FeatureCertificate::faces(const TestedTriangle& a, const TestedTriangle& b) const {
-  const DVec3 normal_a = a_.normal(a), normal_b = b_.normal(b);
-  const double sine = glm::length(glm::cross(normal_a, normal_b)), cosine = -glm::dot(normal_a, normal_b);
-  const bool two_sided = a_.mesh.double_sided[a.index] || b_.mesh.double_sided[b.index];
-  const double angle = std::atan2(sine, two_sided ? std::abs(cosine) : cosine);
-  return Certificate::within_angle(angle - 2 * limits_.parallel_tolerance);
+// Until they are parallel. A chord is no longer than its arc.
+Certificate FeatureCertificate::faces(const MeasuredTriangle& a, const MeasuredTriangle& b) const {
+  double apart = glm::length(a.normal() + b.normal());
+  if (a.two_sided() || b.two_sided()) apart = std::min(apart, glm::length(a.normal() - b.normal()));
+  return Certificate::within_angle(apart - 2 * limits_.parallel_tolerance);
 }
 
 // Until an edge is parallel to the face and holds its normal, or comes over it.
-void FeatureCertificate::edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges,
-                                        const MeshSide& face_side, const TestedTriangle& face,
+void FeatureCertificate::edges_and_face(MeasuredTriangle& edges, const MeasuredTriangle& face,
                                         FeaturePairSet among, PairCertificates& to) const {
-  if (!among.has_any(FeaturePairSet::edge_and_face(edge_side.is_b, 0), 3)) return;
-  const DVec3 normal = face_side.normal(face);
-  const bool two_sided = face_side.mesh.double_sided[face.index];
+  const bool is_b = edges.side().is_b;
+  if (!among.has_any(FeaturePairSet::edge_and_face(is_b, 0), 3)) return;
+  const DVec3& normal = face.normal();
   for (int j = 0; j < 3; ++j) {
-    const int pair = FeaturePairSet::edge_and_face(edge_side.is_b, j);
-    if (!edges.has_side(j) || !among.has(pair)) continue;
-    const DVec3 &start = edges.shape.start(j), &end = edges.shape.end(j);
-    const auto height = [&](const DVec3& point) { return glm::dot(normal, point - face.shape.corner[0]); };
-    double outside = two_sided ? 0.0 : -std::max(height(start), height(end));
+    const int pair = FeaturePairSet::edge_and_face(is_b, j);
+    if (!edges.tested().has_side(j) || !among.has(pair)) continue;
+    const DVec3 &start = edges.shape().start(j), &end = edges.shape().end(j);
+    const auto height = [&](const DVec3& point) { return glm::dot(normal, point - face.shape().corner[0]); };
+    double outside = face.two_sided() ? 0.0 : -std::max(height(start), height(end));
     for (int side = 0; side < 3; ++side) {
-      const DVec3 along = face.shape.along(side);
-      const DVec3 away = glm::cross(along, normal) / glm::length(along);
-      outside = std::max(outside, std::min(glm::dot(away, start - face.shape.start(side)),
-                                           glm::dot(away, end - face.shape.start(side))));
+      const DVec3 away = face.away(side);
+      outside = std::max(outside, std::min(glm::dot(away, start - face.shape().start(side)),
+                                           glm::dot(away, end - face.shape().start(side))));
     }
-    Certificate one = seen_from(face_side, outside);
-    const double tilt = std::abs(glm::dot(normal, end - start)) / glm::length(end - start);
+    Certificate one = seen_from(face.side(), outside);
+    const double tilt = std::abs(glm::dot(normal, edges.along(j)));
     one = longer(one, Certificate::within_angle(tilt - 2 * limits_.parallel_tolerance), rate_);
-    if (rate_.lifetime(one) < kLongLived) {
-      const Feature edge = edge_side.edge(edges, j);
-      double lean = edge_side.violation(edge, -normal);
-      if (two_sided) lean = std::min(lean, edge_side.violation(edge, normal));
-      one = longer(one, Certificate::within_angle(lean - 2 * limits_.parallel_tolerance), rate_);
+    if (!is_long(one)) {
+      double lean = beyond_edge(edges, j, -normal, false);
+      if (face.two_sided()) lean = std::min(lean, beyond_edge(edges, j, normal, false));
+      one = longer(one, Certificate::within_angle(lean - limits_.parallel_tolerance), rate_);
     }
     to.set(pair, one);
   }
 }
 
-void FeatureCertificate::edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+void FeatureCertificate::edges(MeasuredTriangle& a, MeasuredTriangle& b, FeaturePairSet among,
                                PairCertificates& to) const {
+  if (!among.has_any(FeaturePairSet::edges(0, 0), 9)) return;
+  const TestedTriangle &of_a = a.tested(), &of_b = b.tested();
   for (int i = 0; i < 3; ++i) {
-    if (!a.has_side(i) && !a.has_near_side(i)) continue;
+    if (!of_a.has_side(i) && !of_a.has_near_side(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      const bool near = a.has_near_side(i) && b.has_near_side(j);
+      const bool near = of_a.has_near_side(i) && of_b.has_near_side(j);
       const int pair = FeaturePairSet::edges(i, j);
-      if ((!near && !(a.has_side(i) && b.has_side(j))) || !among.has(pair)) continue;
-      const DVec3 u = a.shape.along(i), v = b.shape.along(j);
-      const double lengths = glm::length(u) + glm::length(v);
-      const DVec3 middles = b.shape.start(j) + 0.5 * v - a.shape.start(i) - 0.5 * u;
+      if ((!near && !(of_a.has_side(i) && of_b.has_side(j))) || !among.has(pair)) continue;
+      const DVec3 middles =
+          0.5 * (b.shape().start(j) + b.shape().end(j) - a.shape().start(i) - a.shape().end(i));
+      const double lengths = a.length(i) + b.length(j);
       Certificate one = Certificate::within_distance(glm::length(middles) - 0.5 * lengths - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived) one = longer(one, edge_pair(a, i, b, j, near), rate_);
+      if (!is_long(one) && !near) one = longer(one, arcs_apart(a, i, b, j), rate_);
+      if (!is_long(one)) one = longer(one, edge_pair(a, i, b, j, near), rate_);
       to.set(pair, one);
     }
   }
 }
 
+// No direction at right angles to the one edge is in the polar cone of the other.
+Certificate FeatureCertificate::arcs_apart(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j) const {
+  const double beside = std::max(b.arc(j).beside(a.along(i)), a.arc(i).beside(b.along(j)));
+  return Certificate::within_angle(beside - 4 * limits_.parallel_tolerance);
+}
+
 // Edges that are nearly parallel may hold a cell of a plateau, and cross anywhere as they turn. For others
 // three facts, any of which will do: the common normal leans outside a polar cone; seen along it, the lines
 // cross beyond an end of an edge; along it, they are farther apart than the cutoff.
-Certificate FeatureCertificate::edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j,
+Certificate FeatureCertificate::edge_pair(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j,
                                           bool near) const {
-  const DVec3 &start_a = a.shape.start(i), &start_b = b.shape.start(j);
-  const double length_a = glm::length(a.shape.along(i)), length_b = glm::length(b.shape.along(j));
-  const DVec3 u = a.shape.along(i) / length_a, v = b.shape.along(j) / length_b;
+  const DVec3 &start_a = a.shape().start(i), &start_b = b.shape().start(j);
+  const DVec3 &u = a.along(i), &v = b.along(j);
   const LinePair lines(start_a, u, start_b, v);
   const double sine = std::sqrt(lines.normal_squared);
   if (!(sine > 4 * limits_.parallel_tolerance)) return {};
   const DVec3 normal = lines.normal / sine;
-  const double place_a = std::clamp(lines.s, 0.0, length_a), place_b = std::clamp(lines.t, 0.0, length_b);
+  const double place_a = std::clamp(lines.s, 0.0, a.length(i)),
+               place_b = std::clamp(lines.t, 0.0, b.length(j));
   // While the certificate holds, the sine stays above half of what it is.
   const double stretched = 4 * limits_.cutoff / (sine * sine);
-  const double past_end = std::max(std::abs(lines.s - place_a) - seam_at_ends(a_, a, i, stretched, near),
-                                   std::abs(lines.t - place_b) - seam_at_ends(b_, b, j, stretched, near));
+  const double past_end =
+      std::max(std::abs(lines.s - place_a) - seam_at_ends(a_, a.tested(), i, stretched, near),
+               std::abs(lines.t - place_b) - seam_at_ends(b_, b.tested(), j, stretched, near));
   const double height = std::abs(glm::dot(start_b - start_a, normal));
   const double slack = std::max(past_end * sine, height - limits_.cutoff) - 2 * limits_.touch;
   const double arm = glm::length(start_b + v * place_b - start_a - u * place_a);
   const Certificate across = across_normal(slack, arm, sine);
-  if (rate_.lifetime(across) >= kLongLived) return across;
-  return longer(across, common_normal_leaning(a_.edge(a, i), b_.edge(b, j), normal, sine, near), rate_);
+  if (is_long(across)) return across;
+  return longer(across, common_normal_leaning(a, i, b, j, normal, sine, near), rate_);
 }
 
 // The common normal of two lines that turn by an angle of at most half the sine between them turns by no more
 // than kTurn times that over the sine.
-Certificate FeatureCertificate::common_normal_leaning(const Feature& edge_a, const Feature& edge_b,
+Certificate FeatureCertificate::common_normal_leaning(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j,
                                                       const DVec3& normal, double sine, bool near) const {
-  const double forward = std::max(beyond(a_, edge_a, normal, near), beyond(b_, edge_b, -normal, near));
-  const double backward = std::max(beyond(a_, edge_a, -normal, near), beyond(b_, edge_b, normal, near));
+  const double forward = std::max(beyond_edge(a, i, normal, near), beyond_edge(b, j, -normal, near));
+  const double backward = std::max(beyond_edge(a, i, -normal, near), beyond_edge(b, j, normal, near));
   return Certificate::within_angle(sine * std::min(std::min(forward, backward) / kTurn, 0.5));
 }
 
@@ -188,60 +190,75 @@ Certificate FeatureCertificate::across_normal(double slack, double arm, double s
   return {share * slack, std::min((1.0 - share) * slack / by_turn, 0.5 * sine)};
 }
 
-void FeatureCertificate::corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                                           const MeshSide& edge_side, const TestedTriangle& edges,
+void FeatureCertificate::corners_and_edges(const MeasuredTriangle& corners, MeasuredTriangle& edges,
                                            FeaturePairSet among, PairCertificates& to) const {
-  if (!among.has_any(FeaturePairSet::corner_and_edge(corner_side.is_b, 0, 0), 9)) return;
+  const TestedTriangle &of_corners = corners.tested(), &of_edges = edges.tested();
+  const bool is_b = corners.side().is_b;
+  if (!among.has_any(FeaturePairSet::corner_and_edge(is_b, 0, 0), 9)) return;
   for (int j = 0; j < 3; ++j) {
-    if (!edges.has_side(j) && !edges.has_near_side(j)) continue;
+    if (!of_edges.has_side(j) && !of_edges.has_near_side(j)) continue;
     for (int k = 0; k < 3; ++k) {
-      const bool near = edges.has_near_side(j) && corners.has_near_corner(k);
-      const int pair = FeaturePairSet::corner_and_edge(corner_side.is_b, k, j);
-      if ((!near && !(edges.has_side(j) && corners.has_corner(k))) || !among.has(pair)) continue;
-      to.set(pair, corner_and_edge(corner_side, corner_side.vertex(corners, k), corners.shape.corner[k],
-                                   edge_side, edges, j, near));
+      const bool near = of_edges.has_near_side(j) && of_corners.has_near_corner(k);
+      const int pair = FeaturePairSet::corner_and_edge(is_b, k, j);
+      if ((!near && !(of_edges.has_side(j) && of_corners.has_corner(k))) || !among.has(pair)) continue;
+      to.set(pair, corner_and_edge(corners, k, edges, j, near, to.apart()));
     }
   }
 }
 
-Certificate FeatureCertificate::corner_and_edge(const MeshSide& corner_side, const Feature& vertex,
-                                                const DVec3& corner, const MeshSide& edge_side,
-                                                const TestedTriangle& edges, int j, bool near) const {
-  const DVec3 along = edges.shape.along(j);
-  const double length = glm::length(along);
-  const double place = glm::dot(corner - edges.shape.start(j), along) / length;
-  const DVec3 between = corner - edges.shape.start(j) - along * (place / length);
+// `apart`: while the triangles are. Else a direction is only as sure as its points are distant.
+Certificate FeatureCertificate::corner_and_edge(const MeasuredTriangle& corners, int k,
+                                                MeasuredTriangle& edges, int j, bool near, bool apart) const {
+  const DVec3& along = edges.along(j);
+  const DVec3 from_start = corners.shape().corner[k] - edges.shape().start(j);
+  const double place = glm::dot(from_start, along), length = edges.length(j);
+  const DVec3 between = from_start - along * place;
   const double distance = glm::length(between);
   const double past_end =
-      std::max(-place, place - length) - seam_at_ends(edge_side, edges, j, limits_.cutoff, near);
-  const Certificate by_place = seen_from(edge_side, std::max(past_end, distance - limits_.cutoff));
-  if (rate_.lifetime(by_place) >= kLongLived || !(distance > 0)) return by_place;
+      std::max(-place, place - length) - seam_at_ends(edges.side(), edges.tested(), j, limits_.cutoff, near);
+  Certificate one = seen_from(edges.side(), std::max(past_end, distance - limits_.cutoff));
+  if (is_long(one) || !(distance > 0)) return one;
+  const Feature vertex = corners.vertex(k);
+  if (!near) {
+    const double lean = edges.arc(j).beyond(corners.side(), vertex);
+    const Certificate turn = Certificate::within_angle(lean - 4 * limits_.parallel_tolerance);
+    one = longer(one, apart ? turn : both(turn, seen_from(edges.side(), distance - close())), rate_);
+    if (is_long(one)) return one;
+  }
   const DVec3 u = between / distance;
-  const Feature edge = edge_side.edge(edges, j);
-  const Certificate beside = seen_from(edge_side, lateral(beyond(edge_side, edge, u, near), distance));
-  const Certificate below = leaning_from_corner(corner_side, beyond(corner_side, vertex, -u, near), distance);
-  return longer(by_place, longer(beside, below, rate_), rate_);
+  const Certificate beside = seen_from(edges.side(), lateral(beyond_edge(edges, j, u, near), distance));
+  const Certificate below =
+      leaning_from_corner(corners.side(), beyond(corners.side(), vertex, -u, near), distance);
+  return longer(one, longer(beside, below, rate_), rate_);
 }
 
-void FeatureCertificate::corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+void FeatureCertificate::corners(const MeasuredTriangle& a, const MeasuredTriangle& b, FeaturePairSet among,
                                  PairCertificates& to) const {
+  if (!among.has_any(FeaturePairSet::corners(0, 0), 9)) return;
+  const TestedTriangle &of_a = a.tested(), &of_b = b.tested();
   for (int i = 0; i < 3; ++i) {
-    if (!a.has_corner(i) && !a.has_near_corner(i)) continue;
+    if (!of_a.has_corner(i) && !of_a.has_near_corner(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      const bool near = a.has_near_corner(i) && b.has_near_corner(j);
+      const bool near = of_a.has_near_corner(i) && of_b.has_near_corner(j);
       const int pair = FeaturePairSet::corners(i, j);
-      if ((!near && !(a.has_corner(i) && b.has_corner(j))) || !among.has(pair)) continue;
-      const DVec3 between = b.shape.corner[j] - a.shape.corner[i];
+      if ((!near && !(of_a.has_corner(i) && of_b.has_corner(j))) || !among.has(pair)) continue;
+      const DVec3 between = of_b.shape.corner[j] - of_a.shape.corner[i];
       const double distance = glm::length(between);
       Certificate one = Certificate::within_distance(distance - limits_.cutoff);
-      if (rate_.lifetime(one) < kLongLived && distance > 0) {
+      if (!is_long(one) && distance > 0) {
         const DVec3 u = between / distance;
-        one = longer(one, seen_from(a_, lateral(beyond(a_, a_.vertex(a, i), u, near), distance)), rate_);
-        one = longer(one, seen_from(b_, lateral(beyond(b_, b_.vertex(b, j), -u, near), distance)), rate_);
+        one = longer(one, seen_from(a_, lateral(beyond(a_, a.vertex(i), u, near), distance)), rate_);
+        one = longer(one, seen_from(b_, lateral(beyond(b_, b.vertex(j), -u, near), distance)), rate_);
       }
       to.set(pair, one);
     }
   }
+}
+
+// beyond() an edge that a triangle owns, for a `u` at right angles to it.
+double FeatureCertificate::beyond_edge(MeasuredTriangle& edges, int k, const DVec3& u, bool near) const {
+  if (near || !edges.arc(k).bounded) return beyond(edges.side(), edges.edge(k), u, near);
+  return edges.arc(k).violation(u) - limits_.parallel_tolerance;
 }
 
 double FeatureCertificate::beyond(const MeshSide& side, const Feature& feature, const DVec3& u,

@@ -2,6 +2,7 @@
 
 #include "engine/mesh/creases.h"
 #include "engine/snch/feature_pairs.h"
+#include "engine/snch/measured_triangle.h"
 #include "engine/snch/odometer.h"
 #include "engine/snch/pair_certificates.h"
 
@@ -23,8 +24,9 @@ class FeatureCertificate {
   void include_near_minima(const Creases& a, const Creases& b) { creases_a_ = &a, creases_b_ = &b; }
 
   // How long the triangles are farther apart than the cutoff, so that no pair of features holds anything.
-  // Else fills `certificates` with those of the pairs of features `among` all.
-  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+  // Else fills `certificates` with those of the pairs of features `among` all. With `apart` contact is among
+  // them or has a certificate that holds, and some hold no longer than that.
+  Certificate operator()(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among, bool apart,
                          PairCertificates& certificates) const;
 
   // What `u` must turn to hold a minimum at an edge or vertex, or a near one. The end of `u` must also move
@@ -38,6 +40,9 @@ class FeatureCertificate {
   // A slack that is measured in the frame of a side.
   Certificate seen_from(const MeshSide& side, double slack) const;
 
+  // It need not be bettered.
+  bool is_long(const Certificate& certificate) const { return rate_.lifetime(certificate) >= kLongLived; }
+
   // Of two certificates the one that is likely to hold longer.
   Certificate better(const Certificate& one, const Certificate& other) const {
     return longer(one, other, rate_);
@@ -46,28 +51,33 @@ class FeatureCertificate {
 
  private:
   double distance_apart(const Triangle& a, const Triangle& b) const;
-  void corners_and_face(const MeshSide& corner_side, const TestedTriangle& corners, const MeshSide& face_side,
-                        const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
-  void edges(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
-             PairCertificates& to) const;
-  Certificate edge_pair(const TestedTriangle& a, int i, const TestedTriangle& b, int j, bool near) const;
-  Certificate common_normal_leaning(const Feature& edge_a, const Feature& edge_b, const DVec3& normal,
-                                    double sine, bool near) const;
+  void corners_and_face(const MeasuredTriangle& corners, const MeasuredTriangle& face, FeaturePairSet among,
+                        PairCertificates& to) const;
+  void edges(MeasuredTriangle& a, MeasuredTriangle& b, FeaturePairSet among, PairCertificates& to) const;
+  Certificate arcs_apart(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j) const;
+  Certificate edge_pair(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j, bool near) const;
+  Certificate common_normal_leaning(MeasuredTriangle& a, int i, MeasuredTriangle& b, int j,
+                                    const DVec3& normal, double sine, bool near) const;
   Certificate across_normal(double slack, double arm, double sine) const;
-  void corners_and_edges(const MeshSide& corner_side, const TestedTriangle& corners,
-                         const MeshSide& edge_side, const TestedTriangle& edges, FeaturePairSet among,
+  void corners_and_edges(const MeasuredTriangle& corners, MeasuredTriangle& edges, FeaturePairSet among,
                          PairCertificates& to) const;
-  Certificate corner_and_edge(const MeshSide& corner_side, const Feature& vertex, const DVec3& corner,
-                              const MeshSide& edge_side, const TestedTriangle& edges, int j, bool near) const;
-  Certificate faces(const TestedTriangle& a, const TestedTriangle& b) const;
-  void edges_and_face(const MeshSide& edge_side, const TestedTriangle& edges, const MeshSide& face_side,
-                      const TestedTriangle& face, FeaturePairSet among, PairCertificates& to) const;
-  void corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among,
+  Certificate corner_and_edge(const MeasuredTriangle& corners, int k, MeasuredTriangle& edges, int j,
+                              bool near, bool apart) const;
+  Certificate faces(const MeasuredTriangle& a, const MeasuredTriangle& b) const;
+  void edges_and_face(MeasuredTriangle& edges, const MeasuredTriangle& face, FeaturePairSet among,
+                      PairCertificates& to) const;
+  void corners(const MeasuredTriangle& a, const MeasuredTriangle& b, FeaturePairSet among,
                PairCertificates& to) const;
 
+  double beyond_edge(MeasuredTriangle& edges, int k, const DVec3& u, bool near) const;
+  // Nearer than this the direction between two points is known less well than to the tolerance.
+  double close() const { return kClose * limits_.touch; }
   double lateral(double beyond, double distance) const;
   Certificate leaning_from_corner(const MeshSide& corner_side, double beyond, double distance) const;
   const Creases& creases(const MeshSide& side) const { return side.is_b ? *creases_b_ : *creases_a_; }
+
+  static constexpr double kClose = 1e6;
+  static constexpr double kLongLived = 16.0;  // ticks
 
   const MeshSide a_;
   const MeshSide b_;

@@ -25,7 +25,8 @@ struct FrontCell {
   }
 
   // The child that holds a pair of nodes beneath the root. Which node is opened depends on the two alone.
-  FrontCell child_towards(const NodePair& pair, const Node& a, const Node& b, bool opens_first) const {
+  FrontCell child_towards(const NodePair& pair, const PackedNode& a, const PackedNode& b,
+                          bool opens_first) const {
     FrontCell child = *this;
     if (opens_first) {
       narrow(child.root.a, child.end_a, pair.a, a.second_child());
@@ -45,50 +46,33 @@ struct FrontCell {
   }
 };
 
-// The cells above one entry of a front, the lowest of them, each with the number of entries that it holds.
+// The cells above one entry of a front, the lowest of them.
 class CellsAbove {
  public:
   static constexpr std::size_t kMostLevels = 16;
 
-  // At most `levels`. The entry must be on the front that is counted. None is within what a traversal opens
-  // into features: those beneath it may have been pruned above it.
-  CellsAbove(const NodeBatch& batch, const Tree& a, const Tree& b, const NodePair& entry,
-             std::size_t levels) {
-    std::array<FrontCell, kMostLevels> last;  // on the way down, in turn
+  // None is within what a traversal opens into features: those beneath it may have been pruned above it.
+  CellsAbove(const NodeBatch& batch, const Tree& a, const Tree& b, const NodePair& entry) {
     std::size_t depth = 0;
     for (FrontCell cell = FrontCell::whole(a, b);;) {
-      last[depth++ % kMostLevels] = cell;
+      last_[depth++ % kMostLevels] = cell;
       if (cell.root.a == entry.a && cell.root.b == entry.b) break;
-      const Node &node_a = a.node(cell.root.a), &node_b = b.node(cell.root.b);
+      const PackedNode &node_a = a.packed(cell.root.a), &node_b = b.packed(cell.root.b);
       if (batch.opens_features(node_a, node_b)) break;
       cell = cell.child_towards(entry, node_a, node_b, batch.opens_first(node_a, node_b));
     }
-    levels_ = std::min({levels, depth, kMostLevels});
-    for (std::size_t up = 0; up < levels_; ++up) cells_[up] = last[(depth - 1 - up) % kMostLevels];
+    levels_ = std::min(depth, kMostLevels);
+    lowest_ = depth - 1;
   }
 
-  void count(const NodePair& entry) {
-    std::size_t up = levels_ - 1;
-    if (!cells_[up].holds(entry)) return;
-    while (up > 0 && cells_[up - 1].holds(entry)) --up;
-    ++held_[up];
-  }
-
-  // How far above the entry the highest is that holds at most so many; 0: the lowest, which is the
-  // entry itself where it has no feature.
-  std::size_t highest_of(std::size_t most) const {
-    std::size_t chosen = 0;
-    for (std::size_t up = 0, held = 0; up < levels_ && (held += held_[up]) <= most; ++up) chosen = up;
-    return chosen;
-  }
-
-  const FrontCell& operator[](std::size_t up) const { return cells_[up]; }
+  // 0: the lowest, which is the entry itself where it has no feature.
+  const FrontCell& operator[](std::size_t up) const { return last_[(lowest_ - up) % kMostLevels]; }
   std::size_t levels() const { return levels_; }
 
  private:
-  std::array<FrontCell, kMostLevels> cells_;
-  std::array<std::size_t, kMostLevels> held_{};  // what the next lower one does not hold
-  std::size_t levels_ = 0;
+  std::array<FrontCell, kMostLevels> last_;  // on the way down, in turn
+  std::size_t lowest_;
+  std::size_t levels_;
 };
 
 }  // namespace palpate

@@ -22,9 +22,6 @@ constexpr std::size_t kFirstLevels = 4;
 // Pairs in the place of one: a face, three sides and three corners.
 constexpr std::size_t kMostOpened = 7;
 
-// Certificates lose this part, which covers the rounding of the odometer and of float32 expiries.
-constexpr double kKept = 0.999;
-
 // Readings beyond this are set back to 0, so that float32 expiries stay fine.
 constexpr double kLongReading = 0.25;
 
@@ -40,26 +37,31 @@ std::uint64_t scan_budget(std::uint64_t budget, std::uint64_t renewal) {
   return std::max(budget, KineticFront::kLeastBudget) - 2 * renewal;
 }
 
-// A float32 below x if that is positive; not positive otherwise.
-float rounded_down(double x) {
-  return static_cast<float>(x) * (1.0f - 0x1p-23f);
-}
-
-// A float32 no less than x, which is not negative.
-float rounded_up(double x) {
-  return static_cast<float>(x) * (1.0f + 0x1p-22f);
-}
-
 }  // namespace
 
 void KineticFront::Front::clear() {
   pairs.clear();
   leaves.clear();
+  tiers.clear();
 }
 
 void KineticFront::Front::reserve(std::size_t room) {
   pairs.reserve(room);
   leaves.reserve(room / 2);
+  tiers.reserve(leaves.capacity());
+}
+
+std::size_t KineticFront::Front::add_leaf(const NodePair& pair, const Until& until,
+                                          const PairTiers& of_features) {
+  leaves.add(pair, until);
+  tiers.push_back(of_features);
+  return tiers.size() - 1;
+}
+
+void KineticFront::Front::remove_leaf(std::size_t i) {
+  leaves.remove(i);
+  tiers[i] = tiers.back();
+  tiers.pop_back();
 }
 
 struct KineticFront::Tick {
@@ -126,9 +128,11 @@ void KineticFront::fix(const Room& room) {
   fixed_ = true;
   front_.reserve(room.front);
   minima_.reserve(room.minima);
-  open_.reserve(front_.pairs.capacity() + kOpenRoom);  // all may expire at once
+  open_.reserve(front_.pairs.capacity() + kOpenRoom);
   postponed_.reserve(open_.capacity());
-  expired_leaves_.reserve(front_.leaves.capacity());
+  for (auto* indices : {&expired_pairs_.entries, &expired_leaves_.entries, &opened_, &held_})
+    indices->reserve(front_.pairs.capacity());  // all may expire at once
+  kept_.reserve(std::max(front_.pairs.capacity() / kRenewedShare, kLeastRenewed));
   grouper_.fix(minima_.capacity());
 }
 
@@ -143,8 +147,7 @@ Room KineticFront::used() const {
 
 // For what settling a batch adds.
 bool KineticFront::has_room_for_batch() const {
-  return !fixed_ || (has_room(front_.pairs, NodeBatch::kMost) && has_room(front_.leaves, NodeBatch::kMost) &&
-                     has_room(open_, kMostOpened * NodeBatch::kMost));
+  return !fixed_ || (front_.has_room(NodeBatch::kMost) && has_room(open_, kMostOpened * NodeBatch::kMost));
 }
 
 // For what two triangles may hold.
@@ -169,74 +172,72 @@ void KineticFront::start(const Placement& placement) {
   odometer_.emplace((b_->centre() - from.origin) / from.scale, (b_->radius() + options_.cutoff) / to.scale);
   odometer_->start(placement);
   front_.clear();
-  front_.pairs.push_back({{0, 0}, {-1.0f, -1.0f}});
+  front_.pairs.add({0, 0}, Until::passed());
+  opened_.clear();  // what an update left that found no memory
+  held_.clear();
+  kept_.clear();
   postponed_.clear();
-  first_leaf_ = 0;
+  expired_pairs_.first = expired_leaves_.first = Expired::kLast;
   ticks_ = 0;
   renewed_levels_ = kFirstLevels;
 }
 
-// Where the budget does not suffice for all, nodes and triangles share it.
+// Where the budget does not suffice for all, nodes and triangles share it. What was postponed comes first.
 void KineticFront::scan(Tick& tick) {
   work_.entries = front_.size();
-  open_expired(tick);
-  list_expired_leaves();
-  work_.expired = open_.size() - postponed_.size() + expired_leaves_.size();
+  list_expired(front_.pairs, expired_pairs_);
+  list_expired(front_.leaves, expired_leaves_);
+  work_.expired = expired_pairs_.entries.size() + expired_leaves_.entries.size();
+  open_.assign(postponed_.begin(), postponed_.end());
   settle_leaves(tick, tick.budget / 2);
-  settle_open(tick, tick.budget);
+  settle_open(tick);
+  settle_pairs(tick);
+  settle_open(tick);
   settle_leaves(tick, tick.budget);
+  remove_opened();
   postponed_.assign(open_.begin(), open_.end());
-  complete_ = open_.empty() && expired_leaves_.empty();
+  complete_ = open_.empty() && expired_pairs_.entries.empty() && expired_leaves_.entries.empty();
 }
 
-void KineticFront::open_expired(Tick& tick) {
-  const Until now = this->now();
-  open_.clear();
-  std::size_t kept = 0;
-  for (const Entry& entry : front_.pairs) {
-    if (entry.until.passed(now)) {
-      open_.push_back(entry.nodes);
-    } else {
-      front_.pairs[kept++] = entry;
-    }
-  }
-  front_.pairs.resize(kept);
-  if (fixed_ && !has_room(open_, postponed_.size())) tick.found.cut = true;
-  if (!tick.found.cut) open_.insert(open_.end(), postponed_.begin(), postponed_.end());  // these are first
+// From the last one, downwards; or from where the last tick could go no further, and around.
+void KineticFront::list_expired(FrontList& list, Expired& expired) const {
+  list.find_passed(readings().now(), expired.entries);
+  auto& entries = expired.entries;
+  std::rotate(entries.begin(), std::upper_bound(entries.begin(), entries.end(), expired.first),
+              entries.end());
 }
 
-// From the first on that the last tick could not afford; the last one listed is tested first.
-void KineticFront::list_expired_leaves() {
-  const Until now = this->now();
-  const std::span<const Leaf> leaves = front_.leaves;
-  expired_leaves_.clear();
-  const auto list = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = end; i-- > begin;)
-      if (leaves[i].until.passed(now)) expired_leaves_.push_back(static_cast<std::uint32_t>(i));
-  };
-  const std::size_t first = std::min(first_leaf_, leaves.size());
-  list(0, first);
-  list(first, leaves.size());
-}
-
-void KineticFront::settle_open(Tick& tick, std::uint64_t budget) {
+void KineticFront::settle_open(Tick& tick) {
   while (!open_.empty() && !tick.found.cut) {
     if (!has_room_for_batch()) tick.found.cut = true;
-    const std::size_t count = affordable(tick, budget);
+    const std::size_t count = affordable(tick, tick.budget);
     if (tick.found.cut || count == 0) return;
     settle_last(tick, count, true);
   }
 }
 
+void KineticFront::settle_pairs(Tick& tick) {
+  settle_expired(tick, tick.budget, expired_pairs_, [&](std::span<const std::uint32_t> batch) {
+    if (has_room_for_batch()) return settle_pair_batch(tick, batch);
+    tick.found.cut = true;
+  });
+}
+
 void KineticFront::settle_leaves(Tick& tick, std::uint64_t budget) {
-  while (!expired_leaves_.empty() && !tick.found.cut) {
-    const std::size_t count = std::min(affordable(tick, budget), expired_leaves_.size());
+  settle_expired(tick, budget, expired_leaves_,
+                 [&](std::span<const std::uint32_t> batch) { settle_leaf_batch(tick, batch); });
+}
+
+template <class Settle>
+void KineticFront::settle_expired(Tick& tick, std::uint64_t budget, Expired& expired, const Settle& settle) {
+  auto& entries = expired.entries;
+  while (!entries.empty() && !tick.found.cut) {
+    const std::size_t count = std::min(affordable(tick, budget), entries.size());
     if (count == 0) break;
-    const std::size_t left = expired_leaves_.size() - count;
-    settle_leaf_batch(tick, std::span(expired_leaves_).subspan(left));
-    expired_leaves_.resize(left);
+    settle(std::span(entries).last(count));
+    entries.resize(entries.size() - count);
   }
-  first_leaf_ = expired_leaves_.empty() ? 0 : expired_leaves_.back();
+  expired.first = entries.empty() ? Expired::kLast : entries.back();
 }
 
 // How many pairs may still be tested: each may be a test of two nodes and of two triangles.
@@ -255,20 +256,66 @@ std::size_t KineticFront::settle_last(Tick& tick, std::size_t most, bool collect
   open_.resize(open_.size() - count);
   NodeBatch::Certificates certificates;
   tick.node_batch.certify({pairs.data(), count}, odometer_->rate(), tick.reach, certificates);
-  for (std::size_t i = 0; i < count; ++i)
-    settle(tick, pairs[i], certificate_of(tick, pairs[i], certificates.of(i)), collect);
+  tick.found.work.node_pairs += count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Certificate certificate = certificate_of(tick, pairs[i], certificates.of(i));
+    if (certificate.holds()) {
+      front_.pairs.add(pairs[i], readings().until(certificate));
+    } else {
+      open(tick, pairs[i], collect);
+    }
+  }
   return count;
 }
 
-// Puts a pair on the front if it can be pruned or holds two triangles; otherwise opens its children.
-void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, bool collect) {
-  ++tick.found.work.node_pairs;
-  if (certificate.holds()) return front_.pairs.push_back({pair, until(certificate)});
-  const Node &a = tick.tree_a.node(FeatureNode(pair.a).node()),
-             &b = tick.tree_b.node(FeatureNode(pair.b).node());
+// Most are pruned for another while, and stay where they are.
+void KineticFront::settle_pair_batch(Tick& tick, std::span<const std::uint32_t> entries) {
+  NodeBatch::Certificates certificates;
+  const std::span<const NodePair> pairs = certify(tick, front_.pairs, entries, certificates);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Certificate certificate = certificate_of(tick, pairs[i], certificates.of(i));
+    if (certificate.holds()) {
+      front_.pairs.set_until(entries[i], readings().until(certificate));
+    } else {
+      opened_.push_back(entries[i]);
+      open(tick, pairs[i], true);
+    }
+  }
+}
+
+// The bounds of two triangles may clear each other again, which is seen at once for many.
+void KineticFront::settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves) {
+  NodeBatch::Certificates certificates;
+  const std::span<const NodePair> pairs = certify(tick, front_.leaves, leaves, certificates);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const Certificate certificate = certificate_of(tick, pairs[i], certificates.of(i));
+    if (certificate.holds()) {
+      front_.leaves.set_until(leaves[i], readings().until(certificate));
+    } else {
+      test_triangles(tick, leaves[i], true);
+    }
+  }
+}
+
+// Those of a list that a batch holds.
+std::span<const NodePair> KineticFront::certify(Tick& tick, const FrontList& list,
+                                                std::span<const std::uint32_t> entries,
+                                                NodeBatch::Certificates& certificates) {
+  for (std::size_t i = 0; i < entries.size(); ++i) batch_[i] = list[entries[i]];
+  const std::span<const NodePair> pairs(batch_.data(), entries.size());
+  tick.node_batch.certify(pairs, odometer_->rate(), tick.reach, certificates);
+  tick.found.work.node_pairs += entries.size();
+  return pairs;
+}
+
+// What has no certificate: two triangles, or nodes whose children are next.
+void KineticFront::open(Tick& tick, NodePair pair, bool collect) {
+  const PackedNode &a = tick.tree_a.packed(FeatureNode(pair.a).node()),
+                   &b = tick.tree_b.packed(FeatureNode(pair.b).node());
   const bool whole = !FeatureNode(pair.a).is_feature() && !FeatureNode(pair.b).is_feature();
   if (a.is_leaf() && b.is_leaf()) {
-    test_triangles(tick, front_.leaves.emplace_back(Leaf{pair, kPassed, kPassed, {}}), collect);
+    if (!collect && add_kept_leaf(pair)) return;
+    test_triangles(tick, front_.add_leaf(pair, Until::passed(), {}), collect);
   } else if (whole && tick.node_batch.opens_features(a, b)) {
     open_features(a.is_leaf() ? tick.tree_a : tick.tree_b, pair, b.is_leaf());
   } else if (tick.node_batch.opens_first(a, b)) {
@@ -280,10 +327,15 @@ void KineticFront::settle(Tick& tick, NodePair pair, Certificate certificate, bo
   }
 }
 
+void KineticFront::remove_opened() {
+  std::sort(opened_.begin(), opened_.end());
+  for (; !opened_.empty(); opened_.pop_back()) front_.pairs.remove(opened_.back());
+}
+
 // What the bounds say, or the features if one is in the place of its triangle.
 Certificate KineticFront::certificate_of(const Tick& tick, NodePair pair, Certificate bounds) const {
   const FeatureNode a(pair.a), b(pair.b);
-  if (!a.is_feature() && !b.is_feature()) return bounds;
+  if ((!a.is_feature() && !b.is_feature()) || tick.feature_certificate.is_long(bounds)) return bounds;
   const Certificate features =
       a.is_feature() ? tick.coarse_a(tested(tick, a.node(), false), a.place(), tick.tree_b.node(b.node()))
                      : tick.coarse_b(tested(tick, b.node(), true), b.place(), tick.tree_a.node(a.node()));
@@ -292,7 +344,7 @@ Certificate KineticFront::certificate_of(const Tick& tick, NodePair pair, Certif
 
 void KineticFront::open_features(const Tree& tree, NodePair pair, bool of_b) {
   const std::uint32_t leaf = of_b ? pair.b : pair.a;
-  const OwnedFeatures owned = tree.owned(tree.node(leaf).triangle());
+  const OwnedFeatures owned = tree.owned(tree.packed(leaf).triangle());
   const unsigned corners = owned.corners | owned.near_corners, sides = owned.sides | owned.near_sides;
   const unsigned places = corners | sides << 3 | 1u << TrianglePlace::kFace;
   for (std::uint8_t code = 0; code <= TrianglePlace::kFace; ++code) {
@@ -309,53 +361,34 @@ FeaturePairSet KineticFront::feature_pairs(const NodePair& pair) {
 }
 
 TestedTriangle KineticFront::tested(const Tick& tick, std::uint32_t node, bool of_b) const {
-  return of_b ? owned_triangle(tick.tree_b, b_->mesh(), tick.tree_b.node(node).triangle(), tick.placement)
-              : owned_triangle(tick.tree_a, a_->mesh(), tick.tree_a.node(node).triangle());
-}
-
-// The bounds of two triangles may clear each other again, which is seen at once for many.
-void KineticFront::settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves) {
-  std::array<NodePair, NodeBatch::kMost> pairs;
-  for (std::size_t i = 0; i < leaves.size(); ++i) pairs[i] = front_.leaves[leaves[i]].nodes;
-  NodeBatch::Certificates certificates;
-  tick.node_batch.certify({pairs.data(), leaves.size()}, odometer_->rate(), tick.reach, certificates);
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    ++tick.found.work.node_pairs;
-    Leaf& leaf = front_.leaves[leaves[i]];
-    const Certificate certificate = certificate_of(tick, leaf.nodes, certificates.of(i));
-    if (certificate.holds()) {
-      leaf.until = until(certificate);
-    } else {
-      test_triangles(tick, leaf, true);
-    }
-  }
+  return of_b ? owned_triangle(tick.tree_b, b_->mesh(), tick.tree_b.packed(node).triangle(), tick.placement)
+              : owned_triangle(tick.tree_a, a_->mesh(), tick.tree_a.packed(node).triangle());
 }
 
 // Certificates prove that there is nothing now, either; pairs of features without one are looked at.
-void KineticFront::test_triangles(Tick& tick, Leaf& leaf, bool collect) {
+void KineticFront::test_triangles(Tick& tick, std::size_t leaf, bool collect) {
+  const NodePair pair = front_.leaves[leaf];
+  const PairTiers& tiers = front_.tiers[leaf];
+  const FeaturePairSet due = tiers.untested() ? feature_pairs(pair) : tiers.due(readings().now());
+  if (due.empty()) return front_.leaves.set_until(leaf, tiers.first());
   ++tick.found.work.triangle_pairs;
-  const TestedTriangle tested_a = tested(tick, FeatureNode(leaf.nodes.a).node(), false);
-  const TestedTriangle tested_b = tested(tick, FeatureNode(leaf.nodes.b).node(), true);
-  certify_features(tick, leaf, tested_a, tested_b);
+  const TestedTriangle a = tested(tick, FeatureNode(pair.a).node(), false);
+  const TestedTriangle b = tested(tick, FeatureNode(pair.b).node(), true);
+  front_.leaves.set_until(leaf, certify_features(tick, a, b, feature_pairs(pair), due, front_.tiers[leaf]));
   const FeaturePairSet doubtful = certificates_.doubtful();
-  if (collect && !doubtful.empty()) collect_features(tick, tested_a, tested_b, doubtful);
+  if (collect && !doubtful.empty()) collect_features(tick, a, b, doubtful);
 }
 
-void KineticFront::certify_features(Tick& tick, Leaf& leaf, const TestedTriangle& a,
-                                    const TestedTriangle& b) {
-  const bool whole = leaf.rest.passed(now());
-  const FeaturePairSet due = whole ? feature_pairs(leaf.nodes) : leaf.due;
-  const Certificate far = tick.feature_certificate(a, b, due, certificates_);
-  if (far.holds()) {
-    leaf.until = until(far);
-    return;
-  }
-  const MotionRate& rate = odometer_->rate();
-  const PairCertificates::Split split =
-      whole ? certificates_.split(rate) : certificates_.outlasted_by(left(leaf.rest));
-  leaf.due = split.due;
-  if (whole) leaf.rest = until(split.rest);
-  leaf.until = earlier(until(split.first), leaf.rest);
+// Until when the triangles are too far apart, or the first of their pairs of features is due again. Some
+// certificates hold while that of contact does: where it ends all are tested.
+Until KineticFront::certify_features(const Tick& tick, const TestedTriangle& a, const TestedTriangle& b,
+                                     FeaturePairSet all, FeaturePairSet due, PairTiers& tiers) {
+  const bool apart = all == FeaturePairSet::all();
+  const Certificate far = tick.feature_certificate(a, b, due, apart, certificates_);
+  if (far.holds()) return readings().until(far);
+  if (certificates_.may_touch() && due != all) tick.feature_certificate(a, b, all, apart, certificates_);
+  tiers.renew(certificates_, odometer_->rate(), readings());
+  return tiers.first();
 }
 
 void KineticFront::collect_features(Tick& tick, const TestedTriangle& a, const TestedTriangle& b,
@@ -374,12 +407,7 @@ void KineticFront::collect_features(Tick& tick, const TestedTriangle& a, const T
 void KineticFront::renew(Tick& tick, std::uint64_t budget) {
   if (front_.size() == 0 || (fixed_ && !has_room(postponed_, kOpenRoom))) return;
   const std::size_t entries = std::max(front_.size() / kRenewedShare, kLeastRenewed);
-  const FrontCell cell = choose_cell(tick, std::min<std::uint64_t>(entries, budget / 2));
-  const auto is_held = [&](const auto& entry) { return cell.holds(whole_nodes(entry.nodes)); };
-  std::erase_if(front_.pairs, is_held);
-  std::erase_if(front_.leaves, is_held);
-  std::erase_if(postponed_, [&](const NodePair& pair) { return cell.holds(whole_nodes(pair)); });
-  open_.assign(1, cell.root);
+  take_out(choose_cell(tick, std::min<std::uint64_t>(entries, budget / 2)));
   std::size_t left = std::min<std::uint64_t>(2 * entries, budget);
   while (left > 0 && !open_.empty() && has_room_for_batch()) {
     const std::size_t count = settle_last(tick, left, false);
@@ -387,52 +415,54 @@ void KineticFront::renew(Tick& tick, std::uint64_t budget) {
     work_.rebuilt += count;
   }
   postponed_.insert(postponed_.end(), open_.begin(), open_.end());
+  kept_.clear();
 }
 
-// Around an entry that is chosen as if by chance, so that most are where most entries are. It holds at most
-// so many, and is looked for as far above as such cells were lately.
+// Opens a cell in the place of all that it holds.
+void KineticFront::take_out(const FrontCell& cell) {
+  front_.pairs.find_held(cell, held_);
+  for (; !held_.empty(); held_.pop_back()) front_.pairs.remove(held_.back());
+  front_.leaves.find_held(cell, held_);
+  for (; !held_.empty(); held_.pop_back()) {
+    const std::uint32_t i = held_.back();
+    if (!fixed_ || has_room(kept_, 1))
+      kept_.push_back({front_.leaves[i], front_.leaves.until(i), front_.tiers[i]});
+    front_.remove_leaf(i);
+  }
+  std::sort(kept_.begin(), kept_.end());
+  std::erase_if(postponed_, [&](const NodePair& pair) { return cell.holds(whole_nodes(pair)); });
+  open_.assign(1, cell.root);
+}
+
+bool KineticFront::add_kept_leaf(const NodePair& pair) {
+  const auto kept = std::lower_bound(kept_.begin(), kept_.end(), KeptLeaf{pair, Until::passed(), {}});
+  if (kept == kept_.end() || kept->nodes.a != pair.a || kept->nodes.b != pair.b) return false;
+  front_.add_leaf(pair, kept->until, kept->tiers);
+  return true;
+}
+
+// Around an entry that is chosen as if by chance, so that most are where most entries are: the highest cell
+// that holds at most so many. It is looked for where such cells were lately.
 FrontCell KineticFront::choose_cell(const Tick& tick, std::size_t most) {
   constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2³²: its multiples spread evenly
   const std::uint32_t chance = ticks_ / kRenewalTicks * kGoldenRatio;
-  const NodePair chosen = front_.nodes(static_cast<std::size_t>(std::uint64_t{chance} * front_.size() >> 32));
-  CellsAbove cells(tick.node_batch, tick.tree_a, tick.tree_b, whole_nodes(chosen), renewed_levels_);
-  for (const Entry& entry : front_.pairs) cells.count(whole_nodes(entry.nodes));
-  for (const Leaf& leaf : front_.leaves) cells.count(whole_nodes(leaf.nodes));
-  const std::size_t up = cells.highest_of(most);
-  if (up + 1 == cells.levels()) {
-    renewed_levels_ = std::min(renewed_levels_ + 1, CellsAbove::kMostLevels);
-  } else if (up + 3 < cells.levels()) {
-    --renewed_levels_;
-  }
+  const NodePair chosen = front_[static_cast<std::size_t>(std::uint64_t{chance} * front_.size() >> 32)];
+  const CellsAbove cells(tick.node_batch, tick.tree_a, tick.tree_b, whole_nodes(chosen));
+  const auto holds_few = [&](std::size_t up) {
+    return front_.pairs.count_held(cells[up]) + front_.leaves.count_held(cells[up]) <= most;
+  };
+  std::size_t up = std::min(renewed_levels_, cells.levels() - 1);
+  while (up + 1 < cells.levels() && holds_few(up + 1)) ++up;
+  while (up > 0 && !holds_few(up)) --up;
+  renewed_levels_ = up;
   return cells[up];
 }
 
 void KineticFront::rebase() {
-  const auto set_back = [this](Until& until) {
-    until.distance = rounded_down(until.distance - odometer_->distance());
-    until.angle = rounded_down(until.angle - odometer_->angle());
-  };
-  for (Entry& entry : front_.pairs) set_back(entry.until);
-  for (Leaf& leaf : front_.leaves) {
-    set_back(leaf.until);
-    set_back(leaf.rest);
-  }
+  front_.pairs.set_back(readings());
+  front_.leaves.set_back(readings());
+  for (PairTiers& tiers : front_.tiers) tiers.set_back(readings());
   odometer_->reset();
-}
-
-KineticFront::Until KineticFront::now() const {
-  return {rounded_up(odometer_->distance()), rounded_up(odometer_->angle())};
-}
-
-KineticFront::Until KineticFront::until(const Certificate& certificate) const {
-  if (!certificate.holds()) return kPassed;
-  return {rounded_down(odometer_->distance() + kKept * certificate.distance),
-          rounded_down(odometer_->angle() + kKept * certificate.angle)};
-}
-
-// What is left of a certificate.
-Certificate KineticFront::left(const Until& until) const {
-  return {until.distance - odometer_->distance(), until.angle - odometer_->angle()};
 }
 
 }  // namespace palpate

@@ -1,21 +1,25 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/snch/feature_pair_set.h"
 #include "engine/snch/feature_pairs.h"
 #include "engine/snch/front_cell.h"
+#include "engine/snch/front_list.h"
 #include "engine/snch/lmd.h"
 #include "engine/snch/lmd_search.h"
 #include "engine/snch/model.h"
 #include "engine/snch/node_batch.h"
 #include "engine/snch/odometer.h"
 #include "engine/snch/pair_certificates.h"
+#include "engine/snch/pair_tiers.h"
 #include "engine/snch/plateau.h"
 #include "engine/snch/tested_triangle.h"
 
@@ -59,7 +63,7 @@ class KineticFront {
   void fix(const Room& room);
   void unfix();
   Room used() const;  // by the last update
-  bool tight() const { return is_tight(front_.pairs) || is_tight(front_.leaves) || is_tight(minima_); }
+  bool tight() const { return front_.is_tight() || is_tight(minima_); }
 
   // Starts afresh next time; keeps the memory.
   void forget() { odometer_.reset(); }
@@ -67,38 +71,41 @@ class KineticFront {
   const FrontWork& work() const { return work_; }  // of the last update
 
  private:
-  // The odometer's readings up to which a certificate holds.
-  struct Until {
-    float distance;
-    float angle;
-
-    bool passed(const Until& now) const { return !(now.distance < distance && now.angle < angle); }
-  };
-  static constexpr Until kPassed{-1.0f, -1.0f};
-  static Until earlier(const Until& one, const Until& other) {
-    return {std::min(one.distance, other.distance), std::min(one.angle, other.angle)};
-  }
-  // Nodes that hold nothing for a time.
-  struct Entry {
-    NodePair nodes;
-    Until until;
-  };
-  // Triangles whose pairs of features have been tested.
-  struct Leaf {
-    NodePair nodes;
-    Until until;  // nothing is held that is not known
-    Until rest;   // the certificates of all pairs of features but `due`
-    FeaturePairSet due;
-  };
   struct Front {
-    std::vector<Entry> pairs;
-    std::vector<Leaf> leaves;
+    FrontList pairs;               // of nodes that hold nothing for a time
+    FrontList leaves;              // of triangles whose pairs of features have been tested
+    std::vector<PairTiers> tiers;  // of the leaves
 
     void clear();
     void reserve(std::size_t room);
+    bool has_room(std::size_t count) const {
+      return pairs.capacity() - pairs.size() >= count && leaves.capacity() - leaves.size() >= count;
+    }
+    bool is_tight() const {
+      return pairs.size() > pairs.capacity() / 2 || leaves.size() > leaves.capacity() / 2;
+    }
     std::size_t size() const { return pairs.size() + leaves.size(); }
-    const NodePair& nodes(std::size_t i) const {
-      return i < pairs.size() ? pairs[i].nodes : leaves[i - pairs.size()].nodes;
+    NodePair operator[](std::size_t i) const {
+      return i < pairs.size() ? pairs[i] : leaves[i - pairs.size()];
+    }
+    std::size_t add_leaf(const NodePair& pair, const Until& until, const PairTiers& of_features);
+    void remove_leaf(std::size_t i);
+  };
+  // Entries of one list that are to be tested, by index; the last is the first.
+  struct Expired {
+    std::vector<std::uint32_t> entries;
+    std::uint32_t first = kLast;  // that the last tick could not afford
+
+    static constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
+  };
+  // A leaf that was taken out, until a traversal comes to it again.
+  struct KeptLeaf {
+    NodePair nodes;
+    Until until;
+    PairTiers tiers;
+
+    friend bool operator<(const KeptLeaf& one, const KeptLeaf& other) {
+      return std::tie(one.nodes.a, one.nodes.b) < std::tie(other.nodes.a, other.nodes.b);
     }
   };
   struct Tick;
@@ -108,31 +115,38 @@ class KineticFront {
   bool goes_on(const Model& a, const Model& b, const SearchOptions& options) const;
   void start(const Placement& placement);
   void scan(Tick& tick);
-  void open_expired(Tick& tick);
-  void list_expired_leaves();
-  void settle_open(Tick& tick, std::uint64_t budget);
+  void list_expired(FrontList& list, Expired& expired) const;
+  void settle_open(Tick& tick);
+  void settle_pairs(Tick& tick);
   void settle_leaves(Tick& tick, std::uint64_t budget);
+  template <class Settle>
+  void settle_expired(Tick& tick, std::uint64_t budget, Expired& expired, const Settle& settle);
   bool has_room_for_batch() const;
   static std::size_t affordable(const Tick& tick, std::uint64_t budget);
   std::size_t settle_last(Tick& tick, std::size_t most, bool collect);
+  void settle_pair_batch(Tick& tick, std::span<const std::uint32_t> entries);
+  void settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves);
+  std::span<const NodePair> certify(Tick& tick, const FrontList& list, std::span<const std::uint32_t> entries,
+                                    NodeBatch::Certificates& certificates);
   Certificate certificate_of(const Tick& tick, NodePair pair, Certificate bounds) const;
+  void open(Tick& tick, NodePair pair, bool collect);
   void open_features(const Tree& tree, NodePair pair, bool of_b);
+  bool add_kept_leaf(const NodePair& pair);
+  void remove_opened();
   static NodePair whole_nodes(const NodePair& pair) {
     return {FeatureNode(pair.a).node(), FeatureNode(pair.b).node()};
   }
   static FeaturePairSet feature_pairs(const NodePair& pair);
   TestedTriangle tested(const Tick& tick, std::uint32_t node, bool of_b) const;
-  void settle(Tick& tick, NodePair pair, Certificate certificate, bool collect);
-  void settle_leaf_batch(Tick& tick, std::span<const std::uint32_t> leaves);
-  void test_triangles(Tick& tick, Leaf& leaf, bool collect);
-  void certify_features(Tick& tick, Leaf& leaf, const TestedTriangle& a, const TestedTriangle& b);
+  void test_triangles(Tick& tick, std::size_t leaf, bool collect);
+  Until certify_features(const Tick& tick, const TestedTriangle& a, const TestedTriangle& b,
+                         FeaturePairSet all, FeaturePairSet due, PairTiers& tiers);
   void collect_features(Tick& tick, const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among);
   void renew(Tick& tick, std::uint64_t budget);
   FrontCell choose_cell(const Tick& tick, std::size_t most);
+  void take_out(const FrontCell& cell);
   void rebase();
-  Until now() const;
-  Until until(const Certificate& certificate) const;
-  Certificate left(const Until& until) const;
+  Readings readings() const { return Readings(*odometer_); }
 
   bool fixed_ = false;
   const Model* a_ = nullptr;
@@ -140,12 +154,16 @@ class KineticFront {
   SearchOptions options_;
   std::optional<Odometer> odometer_;
   Front front_;
+  std::array<NodePair, NodeBatch::kMost> batch_;
   std::vector<NodePair> open_;
   std::vector<NodePair> postponed_;  // pairs that are not on the front: the last tick could not afford them
-  std::vector<std::uint32_t> expired_leaves_;  // by index
-  std::size_t first_leaf_ = 0;                 // the first that the last tick could not afford
-  std::uint32_t ticks_ = 0;                    // since the start
-  std::size_t renewed_levels_ = 0;  // above an entry, where a part is looked for that can be renewed
+  Expired expired_pairs_;
+  Expired expired_leaves_;
+  std::vector<std::uint32_t> opened_;  // of the pairs on the front, to be removed
+  std::vector<std::uint32_t> held_;    // by a cell
+  std::vector<KeptLeaf> kept_;         // of a cell that is renewed, ascending
+  std::uint32_t ticks_ = 0;            // since the start
+  std::size_t renewed_levels_ = 0;     // above an entry, where the last part was found that was renewed
   bool complete_ = true;
   PairCertificates certificates_;
   std::vector<Minimum> minima_;

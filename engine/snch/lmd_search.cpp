@@ -72,7 +72,7 @@ class Traversal {
     pair.contact &= verdict.contact && !found_.overlaps_cut;
     if (!pair.minimum && !pair.contact) return;
     const auto [index_a, index_b] = pair.nodes;
-    const Node &a = a_.node(index_a), &b = b_.node(index_b);
+    const PackedNode &a = a_.packed(index_a), &b = b_.packed(index_b);
     if (a.is_leaf() && b.is_leaf()) return test_triangles(a.triangle(), b.triangle(), pair);
     if (fixed_ && !has_room(stack_, 2)) {
       found_.cut = true;

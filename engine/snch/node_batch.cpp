@@ -92,29 +92,52 @@ struct WideCone {
   Float sine;
 };
 
+using Words = hn::RebindToUnsigned<Lanes>;
+using Word = hn::Vec<Words>;
+
+// Four words of as many nodes as there are lanes.
+struct FourWords {
+  Word word[4];
+};
+
+// Turns rows around: four words of every fourth node each become four words of all.
+FourWords half_of(const NodeBatch::Rows& rows, std::size_t half, std::size_t first) {
+#if HWY_TARGET == HWY_SCALAR
+  const std::uint32_t* words = rows.halves[half][first % 4].data() + first / 4 * 4;
+  return {{hn::Load(Words(), words), hn::Load(Words(), words + 1), hn::Load(Words(), words + 2),
+           hn::Load(Words(), words + 3)}};
+#else
+  const auto row = [&](std::size_t j) { return hn::Load(Words(), rows.halves[half][j].data() + first); };
+  const Word row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+  const Word even = hn::InterleaveLower(Words(), row0, row2), odd = hn::InterleaveLower(Words(), row1, row3);
+  const Word even_up = hn::InterleaveUpper(Words(), row0, row2),
+             odd_up = hn::InterleaveUpper(Words(), row1, row3);
+  return {{hn::InterleaveLower(Words(), even, odd), hn::InterleaveUpper(Words(), even, odd),
+           hn::InterleaveLower(Words(), even_up, odd_up), hn::InterleaveUpper(Words(), even_up, odd_up)}};
+#endif
+}
+
 // One lane a node: decodes as many rows as there are lanes, as PackedNode does.
 class WideNodes {
  public:
-  explicit WideNodes(const PackedNode* rows)
-      : words_(reinterpret_cast<const std::uint32_t*>(rows)),
-        offsets_(hn::Mul(hn::Iota(Ints(), 0), hn::Set(Ints(), sizeof(PackedNode) / 4))) {
-    const Word x_and_y = word(4), z_and_radius = word(5), low_bits_and_cone = word(6);
+  WideNodes(const NodeBatch::Rows& rows, std::size_t first) {
+    const auto [x, y, z, link] = half_of(rows, 0, first).word;
+    const auto [x_and_y, z_and_radius, low_bits_and_cone, octant] = half_of(rows, 1, first).word;
+    centre_ = {hn::BitCast(Lanes(), x), hn::BitCast(Lanes(), y), hn::BitCast(Lanes(), z)};
     half_ = {span(low(x_and_y), low_bits_and_cone), span(high(x_and_y), hn::ShiftRight<4>(low_bits_and_cone)),
              span(low(z_and_radius), hn::ShiftRight<8>(low_bits_and_cone))};
     radius_ = span(high(z_and_radius), hn::ShiftRight<12>(low_bits_and_cone));
-    cone_ = cone_of(high(low_bits_and_cone), axis_of(word(7)));
+    cone_ = cone_of(high(low_bits_and_cone), axis_of(octant));
   }
 
+  const Float3& centre() const { return centre_; }
   Float radius() const { return radius_; }
   const Float3& half() const { return half_; }
   const WideCone& cone() const { return cone_; }
 
  private:
-  using Words = hn::RebindToUnsigned<Lanes>;
   using Ints = hn::RebindToSigned<Lanes>;
-  using Word = hn::Vec<Words>;
 
-  Word word(int index) const { return hn::GatherIndex(Words(), words_ + index, offsets_); }
   static Word low(Word word) { return hn::And(word, hn::Set(Words(), 0xFFFFu)); }
   static Word high(Word word) { return hn::ShiftRight<16>(word); }
 
@@ -153,8 +176,7 @@ class WideNodes {
                 offsetof(PackedNode, low_bits) == 24 && offsetof(PackedNode, cone) == 26 &&
                 offsetof(PackedNode, octant) == 28);
 
-  const std::uint32_t* words_;
-  hn::Vec<Ints> offsets_;
+  Float3 centre_;
   Float radius_;
   Float3 half_;
   WideCone cone_;
@@ -288,15 +310,47 @@ WideCone cone_in_a(const NodeBatch::View& view, const WideCone& cone) {
   return {negative(times(view.rotation, cone.axis)), cone.cosine, cone.sine};
 }
 
-Float3 gap_at(const NodeBatch::Rows& rows, std::size_t first) {
-  return {hn::Load(Lanes(), rows.gap[0].data() + first), hn::Load(Lanes(), rows.gap[1].data() + first),
-          hn::Load(Lanes(), rows.gap[2].data() + first)};
+#if HWY_TARGET == HWY_SCALAR
+using Parts = Lanes;
+
+template <class Of>
+Float by_parts(const Of& of) {
+  return of([](Float all) { return all; });
+}
+#else
+using Parts = hn::Half<Lanes>;
+
+// Of doubles there is room for half the lanes at a time.
+template <class Of>
+Float by_parts(const Of& of) {
+  return hn::Combine(Lanes(), of([](Float all) { return hn::UpperHalf(Parts(), all); }),
+                     of([](Float all) { return hn::LowerHalf(Parts(), all); }));
+}
+#endif
+
+// The way from A's centres to B's along one of A's axes. Double precision, rounded after the subtraction.
+Float gap_along(const NodeBatch::View& view, int axis, Float a, const Float3& b) {
+  using Doubles = hn::Rebind<double, Parts>;
+  return by_parts([&](const auto& part) {
+    const auto wide = [&](Float all) { return hn::PromoteTo(Doubles(), part(all)); };
+    const auto times = [&](int column, Float all) {
+      return hn::Mul(hn::Set(Doubles(), view.linear[column][axis]), wide(all));
+    };
+    const auto turned = hn::Add(hn::Add(times(0, b.x), times(1, b.y)), times(2, b.z));
+    const auto there = hn::Add(turned, hn::Set(Doubles(), view.translation[axis]));
+    return hn::DemoteTo(Parts(), hn::Sub(there, wide(a)));
+  });
 }
 
-void judge_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t first,
-                 NodeBatch::Verdict* verdicts) {
-  const WideNodes a(rows.a.data() + first), b(rows.b.data() + first);
-  const Gap gap = gap_between(view, a, b, gap_at(rows, first));
+Float3 gap_of_centres(const NodeBatch::View& view, const WideNodes& a, const WideNodes& b) {
+  return {gap_along(view, 0, a.centre().x, b.centre()), gap_along(view, 1, a.centre().y, b.centre()),
+          gap_along(view, 2, a.centre().z, b.centre())};
+}
+
+void judge_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows_a, const NodeBatch::Rows& rows_b,
+                 std::size_t first, NodeBatch::Verdict* verdicts) {
+  const WideNodes a(rows_a, first), b(rows_b, first);
+  const Gap gap = gap_between(view, a, b, gap_of_centres(view, a, b));
   const Float cutoff = constant(view.cutoff), zero = hn::Zero(Lanes());
   const Float apart = hn::Max(length_outside(gap.outside_a), length_outside(gap.outside_b));
   const Mask near =
@@ -318,10 +372,10 @@ void judge_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::
   for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) verdicts[i] = {minima[i] != 0.0f, contacts[i] != 0.0f};
 }
 
-void judge(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t count,
-           NodeBatch::Verdicts& verdicts) {
+void judge(const NodeBatch::View& view, const NodeBatch::Rows& rows_a, const NodeBatch::Rows& rows_b,
+           std::size_t count, NodeBatch::Verdicts& verdicts) {
   for (std::size_t first = 0; first < count; first += hn::Lanes(Lanes()))
-    judge_lanes(view, rows, first, verdicts.data() + first);
+    judge_lanes(view, rows_a, rows_b, first, verdicts.data() + first);
 }
 
 // As certified_from_b().
@@ -346,10 +400,11 @@ Float angle_between(const WideCone& one, const WideCone& other) {
   return hn::IfThenElse(bounded, angle, constant(-1.0f));
 }
 
-void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t first,
-                   const MotionRate& rate, float reach, NodeBatch::Certificates& certificates) {
-  const WideNodes a(rows.a.data() + first), b(rows.b.data() + first);
-  const Gap gap = gap_between(view, a, b, gap_at(rows, first));
+void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows_a, const NodeBatch::Rows& rows_b,
+                   std::size_t first, const MotionRate& rate, float reach,
+                   NodeBatch::Certificates& certificates) {
+  const WideNodes a(rows_a, first), b(rows_b, first);
+  const Gap gap = gap_between(view, a, b, gap_of_centres(view, a, b));
   const Float cutoff = constant(view.cutoff), zero = hn::Zero(Lanes()), forever = constant(kForever);
   const Float between = hn::Sub(hn::Mul(gap.distance, constant(1.0f - kRounding)), gap.radii);
   const Float from_a = length_outside(gap.outside_a), from_b = length_outside(gap.outside_b);
@@ -377,10 +432,10 @@ void certify_lanes(const NodeBatch::View& view, const NodeBatch::Rows& rows, std
   hn::Store(positive(angle), Lanes(), certificates.angle.data() + first);
 }
 
-void certify(const NodeBatch::View& view, const NodeBatch::Rows& rows, std::size_t count,
-             const MotionRate& rate, float reach, NodeBatch::Certificates& certificates) {
+void certify(const NodeBatch::View& view, const NodeBatch::Rows& rows_a, const NodeBatch::Rows& rows_b,
+             std::size_t count, const MotionRate& rate, float reach, NodeBatch::Certificates& certificates) {
   for (std::size_t first = 0; first < count; first += hn::Lanes(Lanes()))
-    certify_lanes(view, rows, first, rate, reach, certificates);
+    certify_lanes(view, rows_a, rows_b, first, rate, reach, certificates);
 }
 
 }  // namespace
@@ -401,12 +456,15 @@ HWY_EXPORT(certify);
 NodeBatch::View view_of(const Placement& placement, double cutoff) {
   constexpr float kRounding = 4e-6f;
   NodeBatch::View view;
-  for (int column = 0; column < 3; ++column)
+  for (int column = 0; column < 3; ++column) {
+    view.translation[column] = placement.translation[column];
     for (int row = 0; row < 3; ++row) {
+      view.linear[column][row] = placement.linear[column][row];
       const auto entry = static_cast<float>(placement.rotation[column][row]);
       view.rotation[column][row] = entry;
       view.magnitude[column][row] = std::abs(entry) + kRounding;
     }
+  }
   view.ratio = static_cast<float>(placement.ratio);
   view.cutoff = static_cast<float>(cutoff) * (1.0f + kRounding);
   return view;
@@ -417,30 +475,28 @@ NodeBatch::View view_of(const Placement& placement, double cutoff) {
 NodeBatch::NodeBatch(const Tree& a, const Tree& b, const Placement& placement, double cutoff)
     : a_(a),
       b_(b),
-      placement_(placement),
       view_(view_of(placement, cutoff)),
       tells_features_(std::max(a.node_count(), b.node_count()) <= FeatureNode::kMostNodes) {}
 
 void NodeBatch::judge(std::span<const NodePair> pairs, Verdicts& verdicts) {
   gather(pairs);
-  HWY_DYNAMIC_DISPATCH(judge)(view_, rows_, pairs.size(), verdicts);
+  HWY_DYNAMIC_DISPATCH(judge)(view_, rows_a_, rows_b_, pairs.size(), verdicts);
 }
 
 void NodeBatch::certify(std::span<const NodePair> pairs, const MotionRate& rate, double reach,
                         Certificates& certificates) {
   gather(pairs);
   HWY_DYNAMIC_DISPATCH(certify)
-  (view_, rows_, pairs.size(), rate, std::nextafter(static_cast<float>(reach), 0.0f), certificates);
+  (view_, rows_a_, rows_b_, pairs.size(), rate, std::nextafter(static_cast<float>(reach), 0.0f),
+   certificates);
 }
 
 // Rows that no pair fills repeat the first, so that no lane meets garbage.
 void NodeBatch::gather(std::span<const NodePair> pairs) {
   for (std::size_t i = 0; i < kMost; ++i) {
     const NodePair pair = pairs[i < pairs.size() ? i : 0];
-    rows_.a[i] = a_.packed(FeatureNode(pair.a).node());
-    rows_.b[i] = b_.packed(FeatureNode(pair.b).node());
-    const Vec3 gap(placement_.point(DVec3(rows_.b[i].centre)) - DVec3(rows_.a[i].centre));
-    for (int axis = 0; axis < 3; ++axis) rows_.gap[axis][i] = gap[axis];
+    rows_a_.set(i, a_.packed(FeatureNode(pair.a).node()));
+    rows_b_.set(i, b_.packed(FeatureNode(pair.b).node()));
   }
 }
 

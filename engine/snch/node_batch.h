@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -56,30 +58,36 @@ class NodeBatch {
 
   // One of two nodes is a leaf so much coarser than the other, which is none, that a traversal opens it into
   // its features, and then the other alone.
-  bool opens_features(const Node& a, const Node& b) const {
+  bool opens_features(const PackedNode& a, const PackedNode& b) const {
     if (a.is_leaf() == b.is_leaf() || !tells_features_) return false;
-    const float radius_b = view_.ratio * b.radius;
-    return a.is_leaf() ? a.radius > kCoarse * radius_b : radius_b > kCoarse * a.radius;
+    const float radius_a = a.sphere_radius(), radius_b = view_.ratio * b.sphere_radius();
+    return a.is_leaf() ? radius_a > kCoarse * radius_b : radius_b > kCoarse * radius_a;
   }
 
   // Of two nodes that are not both leaves, which one a traversal opens: the larger.
-  bool opens_first(const Node& a, const Node& b) const {
-    return b.is_leaf() || (!a.is_leaf() && a.radius > view_.ratio * b.radius);
+  bool opens_first(const PackedNode& a, const PackedNode& b) const {
+    return b.is_leaf() || (!a.is_leaf() && a.sphere_radius() > view_.ratio * b.sphere_radius());
   }
 
   // What every pair has in common.
   struct View {
+    double linear[3][3];  // of the placement, by column
+    double translation[3];
     float rotation[3][3];   // by column
     float magnitude[3][3];  // |rotation|, a little enlarged
     float ratio;
     float cutoff;
   };
 
-  // The nodes of the pairs, side by side, and the way from A's centre to B's in A's frame.
+  // Nodes in halves of four words, so laid out that a wide load gets the same half of every fourth.
   struct Rows {
-    std::array<PackedNode, kMost> a;
-    std::array<PackedNode, kMost> b;
-    alignas(64) std::array<float, kMost> gap[3];
+    alignas(64) std::array<std::array<std::uint32_t, kMost>, 4> halves[2];
+
+    void set(std::size_t i, const PackedNode& node) {
+      const auto words = std::bit_cast<std::array<std::array<std::uint32_t, 4>, 2>>(node);
+      for (std::size_t half = 0; half < 2; ++half)
+        std::copy_n(words[half].data(), 4, halves[half][i % 4].data() + i / 4 * 4);
+    }
   };
 
  private:
@@ -89,9 +97,9 @@ class NodeBatch {
 
   const Tree& a_;
   const Tree& b_;
-  Placement placement_;
   View view_;
-  Rows rows_;
+  Rows rows_a_;
+  Rows rows_b_;
   bool tells_features_;
 };
 

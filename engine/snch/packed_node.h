@@ -53,6 +53,8 @@ struct alignas(32) PackedNode {
   void set_cone(const Cone& around);
 
   bool is_leaf() const { return (link & Node::kLeaf) != 0; }
+  std::uint32_t triangle() const { return link & ~Node::kLeaf; }
+  std::uint32_t second_child() const { return link; }
   bool cone_is_whole() const { return cone == kWhole; }
   Vec3 half_size() const { return {length(half[0], 0), length(half[1], 4), length(half[2], 8)}; }
   float sphere_radius() const { return length(radius, 12); }

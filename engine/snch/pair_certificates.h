@@ -11,7 +11,12 @@ namespace palpate {
 // not asked for, and those whose features do not take part, are not among them.
 class PairCertificates {
  public:
-  void clear() { all_ = doubtful_ = {}; }
+  // `apart`: while they hold the triangles do not touch, nearly.
+  void clear(bool apart) {
+    all_ = doubtful_ = {};
+    apart_ = apart;
+  }
+  bool apart() const { return apart_; }
 
   void set(int pair, const Certificate& certificate) {
     of_[static_cast<std::size_t>(pair)] = certificate;
@@ -20,25 +25,19 @@ class PairCertificates {
   }
 
   FeaturePairSet doubtful() const { return doubtful_; }  // those that may hold something now
+  bool may_touch() const { return doubtful_.has(FeaturePairSet::kContact); }
 
-  // The pairs that are due first, and how long the other ones will hold: so chosen that, at this rate of
-  // motion, to test again what is due each time it is and all when the rest is takes the fewest tests.
-  struct Split {
-    FeaturePairSet due;
-    Certificate first;
-    Certificate rest;
-  };
-  Split split(const MotionRate& rate) const;
-
-  // Of those that outlast `rest` nothing is due before; `first` is of the others.
-  Split outlasted_by(const Certificate& rest) const;
+  // Calls visit(pair, certificate) for each.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    all_.for_each([&](int pair) { visit(pair, of_[static_cast<std::size_t>(pair)]); });
+  }
 
  private:
-  const Certificate& of(int pair) const { return of_[static_cast<std::size_t>(pair)]; }
-
   std::array<Certificate, FeaturePairSet::kCount> of_;
   FeaturePairSet all_;
   FeaturePairSet doubtful_;
+  bool apart_ = false;
 };
 
 }  // namespace palpate

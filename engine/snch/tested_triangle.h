@@ -37,8 +37,9 @@ struct MeshSide {
 
   // Outward and of unit length, from the frame of the mesh itself: of a sliver of B, corners that were
   // rounded in A's frame have none that could be trusted, or none at all.
-  DVec3 normal(const TestedTriangle& t) const {
-    const DVec3 own_normal = unit_normal(mesh, t.index);
+  DVec3 normal(const TestedTriangle& t) const { return normal(t.index); }
+  DVec3 normal(std::uint32_t triangle) const {
+    const DVec3 own_normal = unit_normal(mesh, triangle);
     return is_b ? placement.rotation * own_normal : own_normal;
   }
 

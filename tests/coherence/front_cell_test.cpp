@@ -22,12 +22,12 @@ class FrontCells : public testing::Test {
 
   // Beneath it there are no cells: two leaves, or a leaf that is opened into its features.
   bool is_lowest(const NodePair& pair) const {
-    const Node &a = a_->tree().node(pair.a), &b = b_->tree().node(pair.b);
+    const PackedNode &a = a_->tree().packed(pair.a), &b = b_->tree().packed(pair.b);
     return (a.is_leaf() && b.is_leaf()) || batch_.opens_features(a, b);
   }
 
   std::vector<NodePair> children(const NodePair& pair) const {
-    const Node &a = a_->tree().node(pair.a), &b = b_->tree().node(pair.b);
+    const PackedNode &a = a_->tree().packed(pair.a), &b = b_->tree().packed(pair.b);
     if (batch_.opens_first(a, b)) return {{pair.a + 1, pair.b}, {a.second_child(), pair.b}};
     return {{pair.a, pair.b + 1}, {pair.a, b.second_child()}};
   }
@@ -39,9 +39,7 @@ class FrontCells : public testing::Test {
     return way;
   }
 
-  CellsAbove above(const NodePair& pair, std::size_t levels) const {
-    return {batch_, a_->tree(), b_->tree(), pair, levels};
-  }
+  CellsAbove above(const NodePair& pair) const { return {batch_, a_->tree(), b_->tree(), pair}; }
 };
 
 bool same(const NodePair& one, const NodePair& other) {
@@ -51,7 +49,7 @@ bool same(const NodePair& one, const NodePair& other) {
 TEST_F(FrontCells, AreThoseOnTheWayFromTheWhole) {
   for (int i = 0; i < 200; ++i) {
     const std::vector<NodePair> way = way_down();
-    const CellsAbove cells = above(way.back(), CellsAbove::kMostLevels);
+    const CellsAbove cells = above(way.back());
     ASSERT_EQ(cells.levels(), std::min(way.size(), CellsAbove::kMostLevels));
     for (std::size_t up = 0; up < cells.levels(); ++up)
       ASSERT_TRUE(same(cells[up].root, way[way.size() - 1 - up])) << "seed " << kSeed << " way " << i;
@@ -62,7 +60,7 @@ TEST_F(FrontCells, AreThoseOnTheWayFromTheWhole) {
 TEST_F(FrontCells, HoldWhatIsOpenedBeneathThem) {
   for (int i = 0; i < 200; ++i) {
     const std::vector<NodePair> way = way_down(), other = way_down();
-    const CellsAbove cells = above(way.back(), CellsAbove::kMostLevels);
+    const CellsAbove cells = above(way.back());
     for (std::size_t up = 0; up < cells.levels(); ++up) {
       const std::size_t level = way.size() - 1 - up;
       for (std::size_t k = 0; k < other.size(); ++k) {
@@ -71,22 +69,6 @@ TEST_F(FrontCells, HoldWhatIsOpenedBeneathThem) {
       }
     }
   }
-}
-
-TEST_F(FrontCells, TheHighestThatHoldsFewIsChosen) {
-  const std::vector<NodePair> way = way_down();
-  CellsAbove cells = above(way.back(), 5);
-  ASSERT_EQ(cells.levels(), 5u);
-  // Of each level the child that is not on the way, and the end: 1, 2, 3, 4, 5 entries in ever higher cells.
-  cells.count(way.back());
-  for (std::size_t up = 1; up < 5; ++up) {
-    const NodePair parent = way[way.size() - 1 - up], on_way = way[way.size() - up];
-    for (const NodePair& child : children(parent))
-      if (!same(child, on_way)) cells.count(child);
-  }
-  EXPECT_EQ(cells.highest_of(0), 0u);
-  for (std::size_t most = 1; most < 5; ++most) EXPECT_EQ(cells.highest_of(most), most - 1);
-  EXPECT_EQ(cells.highest_of(100), 4u);
 }
 
 }  // namespace

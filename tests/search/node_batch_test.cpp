@@ -45,7 +45,7 @@ class NodeBatchTest : public testing::Test {
   void visit(NodeBatch& batch, NodePair pair) {
     NodeBatch::Verdicts verdicts;
     batch.judge({&pair, 1}, verdicts);
-    const Node &a = a_->tree().node(pair.a), &b = b_->tree().node(pair.b);
+    const PackedNode &a = a_->tree().packed(pair.a), &b = b_->tree().packed(pair.b);
     if ((!verdicts[0].minimum && !verdicts[0].contact) || (a.is_leaf() && b.is_leaf())) return;
     if (batch.opens_first(a, b)) {
       pairs_.insert(pairs_.end(), {{pair.a + 1, pair.b}, {a.second_child(), pair.b}});

@@ -386,7 +386,7 @@ typedef struct plp_work {
   uint64_t node_pairs;     /**< pairs of hierarchy nodes visited */
   uint64_t triangle_pairs; /**< pairs of triangles tested */
   uint64_t descents;       /**< PLP_MODE_DESCENT: LMDs followed */
-  uint64_t descent_steps;  /**< PLP_MODE_DESCENT: moves to other triangles */
+  uint64_t descent_steps;  /**< PLP_MODE_DESCENT: moves to other triangles or features */
   uint64_t front_entries;  /**< PLP_MODE_CERTIFIED: certificates kept */
   uint64_t front_expired;  /**< PLP_MODE_CERTIFIED: of those, renewed in this step */
   uint64_t age;            /**< steps since the search that the LMDs come from */
