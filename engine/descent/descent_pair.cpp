@@ -1,15 +1,12 @@
 #include "engine/descent/descent_pair.h"
 
 namespace palpate {
-namespace {
 
 Feature feature_at(const Mesh& mesh, std::uint32_t triangle, TrianglePlace place) {
   if (place.is_corner()) return {FeatureKind::kVertex, mesh.triangles[triangle][place.code]};
   if (place.is_side()) return {FeatureKind::kEdge, mesh.triangle_edges[triangle][place.side()]};
   return {FeatureKind::kFace, triangle};
 }
-
-}  // namespace
 
 DescentPoint DescentPair::measure(TrianglePair triangles, DescentWork& work) const {
   ++work.triangle_pairs;

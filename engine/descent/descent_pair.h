@@ -11,7 +11,7 @@ namespace palpate {
 // Work that descents did.
 struct DescentWork {
   std::uint64_t descents = 0;
-  std::uint64_t steps = 0;           // moves to another pair of triangles
+  std::uint64_t steps = 0;           // moves to another pair of triangles or features
   std::uint64_t triangle_pairs = 0;  // measured, or shown not to be closer
 };
 
@@ -20,6 +20,9 @@ struct DescentPoint {
   TrianglePair triangles;
   ClosestPoints closest;
 };
+
+// The feature of a mesh that lies at a place of one of its triangles.
+Feature feature_at(const Mesh& mesh, std::uint32_t triangle, TrianglePlace place);
 
 // Two meshes at one placement, measured pair by pair.
 class DescentPair {
@@ -47,7 +50,7 @@ inline bool is_closer(const DescentPoint& next, const DescentPoint& now) {
   return next.closest.squared_distance < kDecrease * now.closest.squared_distance;
 }
 
-// A descent that takes more steps is dropped; the paper's motions need a handful.
+// A descent that takes more steps is cut short; the paper's motions need a handful.
 inline constexpr int kMaxDescentSteps = 64;
 
 }  // namespace palpate

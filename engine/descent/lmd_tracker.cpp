@@ -68,6 +68,7 @@ struct LmdTracker::Tick {
 void LmdTracker::fix(const Room& room) {
   fixed_ = true;
   seeds_.reserve(2 * room.minima);  // those followed, and those of a search
+  unfinished_.reserve(seeds_.capacity());
   explored_.reserve(kMaxExplored);
   minima_.reserve(room.minima);
   grouper_.fix(minima_.capacity());
@@ -88,13 +89,7 @@ void LmdTracker::adopt(const Mesh& a, const Mesh& b, const LmdSet& searched) {
 }
 
 void LmdTracker::adopt(std::span<const TrianglePair> seeds) {
-  for (const TrianglePair& seed : seeds) {
-    if (fixed_ && !has_room(seeds_, 1)) {
-      overflowed_ = true;
-      break;
-    }
-    seeds_.emplace_back(seed);
-  }
+  for (const TrianglePair& seed : seeds) add_seed(Seed(seed));
   sort_seeds();
 }
 
@@ -114,7 +109,9 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   work_ = {};
   minima_.clear();
   explored_.clear();
-  for (const Seed& seed : seeds_) follow_seed(tick, seed, found);
+  unfinished_.clear();
+  FeaturePairTest test(a, b, placement, tick.limits, minima_);
+  for (const Seed& seed : seeds_) follow_seed(tick, seed, test, found);
 
   std::sort(minima_.begin(), minima_.end(), precedes);
   minima_.erase(std::unique(minima_.begin(), minima_.end(), same_minimum), minima_.end());
@@ -124,29 +121,30 @@ void LmdTracker::follow(const Mesh& a, const Mesh& b, const Pose& a_from_b, cons
   found.cut |= std::exchange(overflowed_, false);
   seeds_.clear();
   remember(a, b, found);
+  for (const TrianglePair& pair : unfinished_) add_seed(Seed(pair));
   drop_sets_beyond(cutoff, found);
 }
 
 void LmdTracker::remember(const Mesh& a, const Mesh& b, const LmdSet& found) {
-  for (const Lmd& lmd : found.lmds) {
-    if (fixed_ && !has_room(seeds_, 1)) {
-      overflowed_ = true;
-      return;
-    }
-    seeds_.emplace_back(a, b, lmd);
-  }
+  for (const Lmd& lmd : found.lmds) add_seed(Seed(a, b, lmd.feature_a, lmd.feature_b));
 }
 
-void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) {
+void LmdTracker::add_seed(const Seed& seed) {
+  if (fixed_ && !has_room(seeds_, 1))
+    overflowed_ = true;
+  else
+    seeds_.push_back(seed);
+}
+
+void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest& test, LmdSet& found) {
   ++work_.descents;
-  FeaturePairTest test(tick.pair.a(), tick.pair.b(), tick.pair.placement(), tick.limits, minima_);
   if (!has_room_for_test()) {
     found.cut = true;
     return;
   }
   if (form_ == DescentForm::kPolar && stands(tick, seed, test)) return;
   DescentPoint point = tick.pair.measure(seed.triangles, work_);
-  if (!descend(tick.pair, point)) return;
+  if (!descend(tick.pair, point)) return unfinished_.push_back(point.triangles);
   const Triangle in_a = triangle_of(tick.pair.a(), point.triangles.a);
   const Triangle in_b = triangle_of(tick.pair.b(), point.triangles.b, tick.pair.placement());
   if (triangles_touch(in_a, in_b, point.closest, tick.limits.touch))
@@ -159,11 +157,22 @@ void LmdTracker::follow_seed(const Tick& tick, const Seed& seed, LmdSet& found) 
 // a descent by polar cones would end where it began.
 bool LmdTracker::stands(const Tick& tick, const Seed& seed, FeaturePairTest& test) {
   const std::size_t before = minima_.size();
+  const Seed here = walked(tick.pair, seed);
   ++work_.triangle_pairs;
-  test(tick.tested_a(seed.triangles.a, seed.at_a), tick.tested_b(seed.triangles.b, seed.at_b));
+  test(tick.tested_a(here.triangles.a, here.at_a), tick.tested_b(here.triangles.b, here.at_b),
+       FeaturePairSet::of(here.at_a, here.at_b));
   if (alone_since(before)) return true;
   minima_.erase(minima_.begin() + static_cast<std::ptrdiff_t>(before), minima_.end());
   return false;
+}
+
+// Where it leads on is tested once more; nothing is lost if it is wrong.
+Seed LmdTracker::walked(const DescentPair& pair, const Seed& seed) {
+  Feature a = feature_at(pair.a(), seed.triangles.a, seed.at_a),
+          b = feature_at(pair.b(), seed.triangles.b, seed.at_b);
+  const std::uint64_t steps = work_.steps;
+  if (!FeatureWalk(pair).settle(a, b, work_) || work_.steps == steps) return seed;
+  return Seed(pair.a(), pair.b(), a, b);
 }
 
 bool LmdTracker::alone_since(std::size_t before) const {
@@ -184,9 +193,9 @@ void LmdTracker::decide(const Tick& tick, const DescentPoint& point, FeaturePair
     found.cut = true;
     return;
   }
-  const auto [a, b] = point.triangles;
+  const Seed here(tick.pair.a(), tick.pair.b(), tick.pair.feature_a(point), tick.pair.feature_b(point));
   const std::size_t before = minima_.size();
-  test(tick.tested_a(a, point.closest.first_place), tick.tested_b(b, point.closest.second_place));
+  test(tick.tested_a(here.triangles.a, here.at_a), tick.tested_b(here.triangles.b, here.at_b));
   if (!alone_since(before)) explore_plateau(tick, point.triangles, test, found);
 }
 

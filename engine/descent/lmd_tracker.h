@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/descent/descent_pair.h"
+#include "engine/descent/feature_walk.h"
 #include "engine/descent/neighbourhood_descent.h"
 #include "engine/descent/polar_descent.h"
 #include "engine/descent/seed.h"
@@ -16,9 +17,9 @@ namespace palpate {
 enum class DescentForm { kPolar, kNeighbourhood };
 
 // Follows the local minimum distances of two models from pose to pose by local descent. It finds no new ones:
-// those come from a search, which may be of an older pose. What does not end in a local minimum is dropped;
-// what meets at one place is merged. The cost is that of the LMDs, not of the models. Keeps its memory from
-// call to call.
+// those come from a search, which may be of an older pose. What does not end in a local minimum is dropped,
+// what takes too many steps goes on at the next pose, what meets at one place is merged. The cost is that of
+// the LMDs, not of the models. Keeps its memory from call to call.
 class LmdTracker {
  public:
   explicit LmdTracker(DescentForm form = DescentForm::kPolar) : form_(form) {}
@@ -47,13 +48,15 @@ class LmdTracker {
  private:
   struct Tick;
   bool has_room_for_test() const;
-  void follow_seed(const Tick& tick, const Seed& seed, LmdSet& found);
+  void follow_seed(const Tick& tick, const Seed& seed, FeaturePairTest& test, LmdSet& found);
   bool stands(const Tick& tick, const Seed& seed, FeaturePairTest& test);
+  Seed walked(const DescentPair& pair, const Seed& seed);
   bool alone_since(std::size_t before) const;
   bool descend(const DescentPair& pair, DescentPoint& point);
   void decide(const Tick& tick, const DescentPoint& point, FeaturePairTest& test, LmdSet& found);
   void explore_plateau(const Tick& tick, TrianglePair from, FeaturePairTest& test, LmdSet& found);
   void sort_seeds();
+  void add_seed(const Seed& seed);
   void remember(const Mesh& a, const Mesh& b, const LmdSet& found);
 
   DescentForm form_;
@@ -63,7 +66,8 @@ class LmdTracker {
   NeighbourhoodDescent neighbourhood_;
   PlateauGrouper grouper_;
   std::vector<Seed> seeds_;
-  std::vector<TrianglePair> explored_;  // pairs of triangles of plateaus met in this tick
+  std::vector<TrianglePair> unfinished_;  // where descents of this tick stand that go on in the next
+  std::vector<TrianglePair> explored_;    // pairs of triangles of plateaus met in this tick
   std::vector<Minimum> minima_;
   DescentWork work_;
 };

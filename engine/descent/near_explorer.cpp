@@ -38,7 +38,7 @@ void NearExplorer::explore(const Model& a, const Model& b, const Pose& a_from_b,
                            LmdSet& found) {
   const Placement placement(a.mesh().frame, b.mesh().frame, a_from_b);
   const Creases &creases_a = a.near_tree().creases, &creases_b = b.near_tree().creases;
-  std::vector<Lmd>& near_minima = found.near_minima;
+  std::vector<NearMinimum>& near_minima = found.near_minima;
   NearMinimumTest test(NearPolar({a.mesh(), placement, false}, creases_a),
                        NearPolar({b.mesh(), placement, true}, creases_b),
                        {cutoff / a.mesh().frame.scale, touching_distance(placement), 0.0}, near_minima);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/descent/fan_crossing.h"
 #include "engine/mesh/polar_cone.h"
 
 namespace palpate {
@@ -10,6 +11,9 @@ namespace {
 
 // Leans within this many radians are left alone: what is left is decided by the feature test.
 constexpr double kUpright = 1e-12;
+
+// A descent that takes more steps than this looks whether it goes around a hub, and again after as many.
+constexpr int kPatience = 8;
 
 std::span<const std::uint32_t> triangles_around(const Mesh& mesh, Feature feature) {
   if (feature.kind == FeatureKind::kVertex) return mesh.vertex_triangles[feature.index];
@@ -47,9 +51,10 @@ class Mover {
 }  // namespace
 
 bool PolarDescent::descend(const DescentPair& pair, DescentPoint& point, DescentWork& work) const {
-  for (int i = 0; i < kMaxDescentSteps; ++i) {
+  for (int i = 1; i <= kMaxDescentSteps; ++i) {
     if (!step(pair, point, work)) return true;
     ++work.steps;
+    if (i % kPatience == 0) cross_fans(pair, point, work);
   }
   return false;
 }

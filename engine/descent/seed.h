@@ -16,10 +16,10 @@ struct Seed {
   TrianglePlace at_a;
   TrianglePlace at_b;
 
-  Seed(const Mesh& a, const Mesh& b, const Lmd& lmd)
-      : triangles{triangles_at(a, lmd.feature_a).front(), triangles_at(b, lmd.feature_b).front()},
-        at_a(place_of(a, lmd.feature_a, triangles.a)),
-        at_b(place_of(b, lmd.feature_b, triangles.b)) {}
+  Seed(const Mesh& a, const Mesh& b, const Feature& feature_a, const Feature& feature_b)
+      : triangles{triangles_at(a, feature_a).front(), triangles_at(b, feature_b).front()},
+        at_a(place_of(a, feature_a, triangles.a)),
+        at_b(place_of(b, feature_b, triangles.b)) {}
 
   // From where nothing is known but the triangles.
   explicit Seed(TrianglePair pair)

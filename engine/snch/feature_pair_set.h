@@ -53,6 +53,24 @@ class FeaturePairSet {
     return pairs;
   }
 
+  // The pair of a place of the triangle of A and one of the triangle of B.
+  static FeaturePairSet of(TrianglePlace a, TrianglePlace b) {
+    FeaturePairSet pair;
+    if (a.is_corner())
+      pair.add(b.is_corner() ? corners(a.code, b.code)
+               : b.is_side() ? corner_and_edge(false, a.code, b.side())
+                             : corner_and_face(false, a.code));
+    else if (a.is_side())
+      pair.add(b.is_corner() ? corner_and_edge(true, b.code, a.side())
+               : b.is_side() ? edges(a.side(), b.side())
+                             : edge_and_face(false, a.side()));
+    else
+      pair.add(b.is_corner() ? corner_and_face(true, b.code)
+               : b.is_side() ? edge_and_face(true, b.side())
+                             : kFaces);
+    return pair;
+  }
+
   constexpr FeaturePairSet() = default;
 
   bool empty() const { return bits_ == 0; }

@@ -173,6 +173,9 @@ void KineticFront::start(const Placement& placement) {
   odometer_->start(placement);
   front_.clear();
   front_.pairs.add({0, 0}, Until::passed());
+  opened_.clear();  // what an update left that found no memory
+  held_.clear();
+  kept_.clear();
   postponed_.clear();
   expired_pairs_.first = expired_leaves_.first = Expired::kLast;
   ticks_ = 0;

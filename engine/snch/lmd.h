@@ -22,6 +22,12 @@ struct Lmd {
   Feature feature_b;
 };
 
+// A pair of features that holds a local minimum distance or almost does. Where others continue its features
+// it may be found beyond their ends, too, on each of them.
+struct NearMinimum : Lmd {
+  double hold = 1.0;  // 1 on its own features, fading to 0 beyond their ends
+};
+
 // Two triangles, by their index in their meshes.
 struct TrianglePair {
   std::uint32_t a;
@@ -38,12 +44,12 @@ struct SearchWork {
 
 // The complete set of local minimum distances between two models within the cutoff.
 struct LmdSet {
-  std::vector<Lmd> lmds;               // ordered by set, then by features
-  std::uint32_t set_count = 0;         // a plateau counts once
-  std::vector<Lmd> near_minima;        // if asked for: each its own set, its weight before it is shared
-  std::vector<TrianglePair> overlaps;  // triangles that touch or cross, up to a limit
-  bool overlaps_cut = false;           // there are more than the limit
-  bool cut = false;                    // the search ran out of room: not all is here
+  std::vector<Lmd> lmds;                 // ordered by set, then by features
+  std::uint32_t set_count = 0;           // a plateau counts once
+  std::vector<NearMinimum> near_minima;  // if asked for: each its own set, its weight before it is shared
+  std::vector<TrianglePair> overlaps;    // triangles that touch or cross, up to a limit
+  bool overlaps_cut = false;             // there are more than the limit
+  bool cut = false;                      // the search ran out of room: not all is here
   SearchWork work;
 
   bool overlapping() const { return overlaps_cut || !overlaps.empty(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include "engine/kernel/line_pair.h"
@@ -86,38 +87,84 @@ class PatchWalk {
   bool too_far_ = false;
 };
 
-// The distance of a point on a crease line from the line's nearer end; infinite if the line is closed.
+// Past this end of its edge the point left the edge, if it did.
+DVec3 end_passed(const NearPolar& side, std::uint32_t edge, const DVec3& point) {
+  const auto [one, other] = side.side().mesh.edges[edge].vertex;
+  const DVec3 from = vertex_in_a(side.side(), one), to = vertex_in_a(side.side(), other);
+  if (glm::dot(point - from, from - to) > 0.0) return from;
+  return glm::dot(point - to, to - from) > 0.0 ? to : point;
+}
+
+// The way of a point on a crease line to the line's nearer end; infinite if the line is closed. Not positive:
+// the point is past it, on the line of an edge that is nearly parallel to the other.
 double way_to_line_end(const NearPolar& side, std::uint32_t edge, const DVec3& point) {
+  const DVec3 passed = end_passed(side, edge, point);
   double nearest = HUGE_VAL;
-  for (std::uint32_t end : side.creases().line_ends[edge])
-    if (end != Creases::kNone)
-      nearest = std::min(nearest, glm::length(point - vertex_in_a(side.side(), end)));
+  for (std::uint32_t end : side.creases().line_ends[edge]) {
+    if (end == Creases::kNone) continue;
+    const DVec3 to_end = vertex_in_a(side.side(), end) - passed;
+    const double length = glm::length(to_end);
+    nearest = std::min(nearest, length > 0.0 ? length - glm::dot(point - passed, to_end) / length : 0.0);
+  }
   return nearest;
 }
 
-// A point at `place` (0 to 1) along a side of a triangle is on it, or within the seam where its line goes on.
-bool is_on(const NearPolar& side, const TestedTriangle& t, int k, double place, double seam) {
-  const TriangleIndices& corners = side.side().mesh.triangles[t.index];
-  if (place < 0.0) return place >= -seam && side.creases().is_straight(corners[k]);
-  if (place > 1.0) return place <= 1.0 + seam && side.creases().is_straight(corners[(k + 1) % 3]);
-  return true;
+// How much of a point so far beyond its end, in seams, a feature still holds.
+double beyond_end(double seams) {
+  return smooth_step(1.0 - seams);
 }
 
-// A point at `distance` is over a triangle, or within the seam where its patch goes on. The seam is around
-// the side, not its line: beyond the sharp corner of a sliver one is near the line far away.
-bool is_over(const NearPolar& side, const TestedTriangle& t, const DVec3& normal, const DVec3& point,
-             double distance) {
+// How much a side of a triangle holds a point at `place` (0 to 1) along it. The seam is in its lengths.
+double hold_of_side(const NearPolar& side, const TestedTriangle& t, int k, double place, double seam) {
+  const TriangleIndices& corners = side.side().mesh.triangles[t.index];
+  if (place < 0.0) return side.creases().is_straight(corners[k]) ? beyond_end(-place / seam) : 0.0;
+  if (place <= 1.0) return 1.0;
+  return side.creases().is_straight(corners[(k + 1) % 3]) ? beyond_end((place - 1.0) / seam) : 0.0;
+}
+
+// How much a triangle holds a point at `distance` over it. The seam is around its sides, not their lines:
+// beyond the sharp corner of a sliver one is near the line far away.
+double hold_of_face(const NearPolar& side, const TestedTriangle& t, const DVec3& normal, const DVec3& point,
+                    double distance) {
+  double outside = HUGE_VAL, seam = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
     const DVec3 along = t.shape.along(k);
     const double inside = glm::dot(glm::cross(normal, along), point - t.shape.start(k));  // times the length
     if (inside > 0.0) continue;
-    if (!side.creases().is_flat(side.side().mesh.triangle_edges[t.index][k])) return false;
+    if (!side.creases().is_flat(side.side().mesh.triangle_edges[t.index][k])) return 0.0;
     const DVec3 foot = point - normal * glm::dot(normal, point - t.shape.start(k));
-    if (distance_to_segment(foot, t.shape.start(k), t.shape.end(k)) >
-        NearMinimumTest::seam(glm::length(along), distance))
-      return false;
+    outside = std::min(outside, distance_to_segment(foot, t.shape.start(k), t.shape.end(k)));
+    seam = std::min(seam, NearMinimumTest::seam(glm::length(along), distance));
   }
-  return true;
+  return outside < HUGE_VAL ? beyond_end(outside / seam) : 1.0;
+}
+
+// One of what several pieces of a patch or line hold, each by its share, so that none takes over at once.
+// What one pair of features holds was perhaps found twice.
+NearMinimum blended(std::span<const NearMinimum> pieces) {
+  NearMinimum whole = pieces.front();
+  double shares = 0.0, distance = 0.0, weight = 0.0;
+  DVec3 point_a(0.0), point_b(0.0), normal(0.0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const NearMinimum& piece = pieces[i];
+    if (i > 0 && piece.feature_a == pieces[i - 1].feature_a && piece.feature_b == pieces[i - 1].feature_b)
+      continue;
+    const double share = piece.hold * piece.weight;
+    shares += share;
+    distance += share * piece.distance;
+    weight += share * piece.weight;
+    point_a += share * piece.point_a;
+    point_b += share * piece.point_b;
+    normal += share * piece.normal;
+  }
+  const double length = glm::length(normal);
+  if (shares == whole.hold * whole.weight || !(length > 0.0)) return whole;
+  whole.distance = distance / shares;
+  whole.weight = weight / shares;
+  whole.point_a = point_a / shares;
+  whole.point_b = point_b / shares;
+  whole.normal = normal / length;
+  return whole;
 }
 
 }  // namespace
@@ -131,6 +178,7 @@ struct NearMinimumTest::Candidate {
   DVec3 second_point;
   DVec3 normal;  // from first to second
   double distance;
+  double hold = 1.0;
   double sine_squared = 1.0;  // of the angle between two edges
 };
 
@@ -157,9 +205,10 @@ void NearMinimumTest::test_corners_and_face(const NearPolar& corner_side, const 
     const double height = glm::dot(corner - triangle.corner[0], normal);
     if (!within_limits(std::abs(height))) continue;
     if (height < 0 && !side.mesh.double_sided[face.index]) continue;
-    if (!is_over(face_side, face, normal, corner, std::abs(height))) continue;
+    const double hold = hold_of_face(face_side, face, normal, corner, std::abs(height));
+    if (!(hold > 0.0)) continue;
     admit({face_side, corner_side, side.face(face), corner_side.side().vertex(corners, k),
-           corner - normal * height, corner, height < 0 ? -normal : normal, std::abs(height)});
+           corner - normal * height, corner, height < 0 ? -normal : normal, std::abs(height), hold});
   }
 }
 
@@ -182,10 +231,11 @@ void NearMinimumTest::test_edge_pair(const TestedTriangle& a, int i, const Teste
   const double length_a = glm::length(u), length_b = glm::length(v);
   const double sine = std::sqrt(lines.normal_squared) / (length_a * length_b);
   const double stretched = std::abs(height) / (sine * sine);  // what turns a little here shifts farther there
-  if (!is_on(a_, a, i, lines.s, seam(length_a, stretched) / length_a)) return;
-  if (!is_on(b_, b, j, lines.t, seam(length_b, stretched) / length_b)) return;
+  const double hold = hold_of_side(a_, a, i, lines.s, seam(length_a, stretched) / length_a) *
+                      hold_of_side(b_, b, j, lines.t, seam(length_b, stretched) / length_b);
+  if (!(hold > 0.0)) return;
   admit({a_, b_, a_.side().edge(a, i), b_.side().edge(b, j), start_a + lines.s * u, start_b + lines.t * v,
-         height < 0 ? -unit : unit, std::abs(height), sine * sine});
+         height < 0 ? -unit : unit, std::abs(height), hold, sine * sine});
 }
 
 void NearMinimumTest::test_corners_and_edges(const NearPolar& corner_side, const TestedTriangle& corners,
@@ -212,9 +262,10 @@ void NearMinimumTest::test_corner_and_edge(const NearPolar& corner_side, Feature
   const DVec3 between = corner - foot;
   const double distance = glm::length(between);
   if (!within_limits(distance)) return;
-  if (!is_on(edge_side, edges, side, place, seam(length, distance) / length)) return;
+  const double hold = hold_of_side(edge_side, edges, side, place, seam(length, distance) / length);
+  if (!(hold > 0.0)) return;
   admit({edge_side, corner_side, edge_side.side().edge(edges, side), vertex, foot, corner, between / distance,
-         distance});
+         distance, hold});
 }
 
 void NearMinimumTest::test_corners(const TestedTriangle& a, const TestedTriangle& b, FeaturePairSet among) {
@@ -252,23 +303,29 @@ void NearMinimumTest::admit(const Candidate& c) {
   if (weight > 0.0) weight *= smooth_step(way_to_end(c) / (Smoothing::kTangent * c.distance));
   if (!(weight > 0.0)) return;
   const bool swapped = c.first.side().is_b;
-  found_.push_back({swapped ? c.second_point : c.first_point, swapped ? c.first_point : c.second_point,
-                    swapped ? -c.normal : c.normal, c.distance, weight, 0,
-                    swapped ? c.second_feature : c.first_feature,
-                    swapped ? c.first_feature : c.second_feature});
+  found_.push_back(
+      {{swapped ? c.second_point : c.first_point, swapped ? c.first_point : c.second_point,
+        swapped ? -c.normal : c.normal, c.distance, weight, 0, swapped ? c.second_feature : c.first_feature,
+        swapped ? c.first_feature : c.second_feature},
+       c.hold});
 }
 
-void settle_near_minima(const Creases& a, const Creases& b, std::vector<Lmd>& near_minima) {
+void settle_near_minima(const Creases& a, const Creases& b, std::vector<NearMinimum>& near_minima) {
   const auto place = [&](const Lmd& near) {
     return std::tuple(a.whole(near.feature_a), b.whole(near.feature_b));
   };
-  std::sort(near_minima.begin(), near_minima.end(), [&](const Lmd& one, const Lmd& other) {
+  std::sort(near_minima.begin(), near_minima.end(), [&](const NearMinimum& one, const NearMinimum& other) {
     return std::tuple(place(one), one.feature_a, one.feature_b) <
            std::tuple(place(other), other.feature_a, other.feature_b);
   });
-  const auto same = [&](const Lmd& one, const Lmd& other) { return place(one) == place(other); };
-  near_minima.erase(std::unique(near_minima.begin(), near_minima.end(), same), near_minima.end());
-  for (std::uint32_t i = 0; i < near_minima.size(); ++i) near_minima[i].set = i;
+  std::uint32_t count = 0;
+  for (std::size_t i = 0, end; i < near_minima.size(); i = end) {
+    for (end = i + 1; end < near_minima.size() && place(near_minima[end]) == place(near_minima[i]);) ++end;
+    near_minima[count] = blended({&near_minima[i], end - i});
+    near_minima[count].set = count;
+    ++count;
+  }
+  near_minima.resize(count);
 }
 
 }  // namespace palpate

@@ -23,15 +23,16 @@ class NearMinimumTest {
   // By two triangles: corners over the other's face, sides by sides, corners by sides, corners by corners.
   static constexpr std::size_t kMostFound = 6 + 9 + 18 + 9;
 
-  NearMinimumTest(const NearPolar& a, const NearPolar& b, const Limits& limits, std::vector<Lmd>& found)
+  NearMinimumTest(const NearPolar& a, const NearPolar& b, const Limits& limits,
+                  std::vector<NearMinimum>& found)
       : a_(a), b_(b), limits_(limits), found_(found) {}
 
   void operator()(const TestedTriangle& a, const TestedTriangle& b,
                   FeaturePairSet among = FeaturePairSet::all());
 
-  // How far beyond an end, where its patch or line goes on, a point still counts as on a feature of the given
-  // length, so that none falls through between: by the rounding there, and by the wedge between two that
-  // turn a little.
+  // How far beyond an end, where its patch or line goes on, a feature of the given length still holds a
+  // point, so that none falls through between: by the rounding there, and by the wedge between two that turn
+  // a little.
   static double seam(double length, double distance) {
     return 1e-9 * length + 2 * Creases::kStraight * distance;
   }
@@ -55,16 +56,16 @@ class NearMinimumTest {
   const NearPolar a_;
   const NearPolar b_;
   const Limits limits_;
-  std::vector<Lmd>& found_;
+  std::vector<NearMinimum>& found_;
 };
 
 // Whether what two triangles may hold fits in where memory is fixed.
-inline bool has_near_room(const std::vector<Lmd>& near_minima) {
+inline bool has_near_room(const std::vector<NearMinimum>& near_minima) {
   return near_minima.size() + NearMinimumTest::kMostFound <= kNearRoom;
 }
 
-// Brings near minima into an order that does not depend on how they were found, leaves each but once and
-// numbers them.
-void settle_near_minima(const Creases& a, const Creases& b, std::vector<Lmd>& near_minima);
+// Brings near minima into an order that does not depend on how they were found, makes one of those that
+// several pieces of a patch or line hold, and numbers them.
+void settle_near_minima(const Creases& a, const Creases& b, std::vector<NearMinimum>& near_minima);
 
 }  // namespace palpate

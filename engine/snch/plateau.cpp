@@ -207,7 +207,9 @@ void PlateauGrouper::project(const std::uint32_t* begin, const std::uint32_t* en
 void PlateauGrouper::find_hull(double merge) {
   wrap_points();
   straighten_hull(merge);
-  const double near = std::max(merge, kStraight * extent_of(inset_points_));
+  // Of a cell one end alone may be there, where the other touches or is beyond the cutoff.
+  const double extent = std::max(extent_of(hull_), extent_of(inset_points_));
+  const double near = std::max(merge, kStraight * extent);
   points_ = hull_;
   for (const PlanePoint& point : inset_points_)
     if (hull_.empty() || distance_outside(point) > near) points_.push_back(point);

@@ -14,6 +14,19 @@ Error failure(ErrorCode code, const std::string& path, int reason) {
   return {code, path + ": cannot be written: " + std::generic_category().message(reason)};
 }
 
+// Why the system refuses room for the first `size` bytes, 0 if it has it. Not every file system can tell, and
+// what is no regular file, such as a pipe, has no room.
+int set_aside(int descriptor, std::size_t size) {
+  if (::fallocate(descriptor, 0, 0, static_cast<off_t>(size)) == 0) return 0;
+  const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+  return is_full ? errno : 0;
+}
+
+// A pipe has nothing to be rid of.
+int cut(int descriptor, std::size_t size) {
+  return ::ftruncate(descriptor, static_cast<off_t>(size)) == 0 || errno == EINVAL ? 0 : errno;
+}
+
 }  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
@@ -40,10 +53,13 @@ OutputFile::~OutputFile() {
   static_cast<void>(close());
 }
 
-// What is no regular file, such as a pipe, has nothing to be emptied of.
-Status OutputFile::begin() {
-  if (::ftruncate(descriptor_, 0) != 0 && errno != EINVAL)
-    return failure(ErrorCode::kFileWrite, path_, errno);
+// Room is taken before what was there is given up: on a full disk that stays as it was.
+Status OutputFile::begin(std::span<const std::byte> bytes) {
+  if (const int refused = set_aside(descriptor_, bytes.size()))
+    return failure(ErrorCode::kFileWrite, path_, refused);
+  if (Status written = write(bytes); !written) return written;
+  if (const int refused = cut(descriptor_, bytes.size()))
+    return failure(ErrorCode::kFileWrite, path_, refused);
   is_needless_ = false;
   return Done{};
 }

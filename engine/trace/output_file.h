@@ -19,8 +19,9 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  // Empties it; then it may be written. Errors: kFileWrite.
-  Status begin();
+  // In place of all that it held; then more may be written. After an error it is as it was, if its file
+  // system can set room aside. Errors: kFileWrite.
+  Status begin(std::span<const std::byte> bytes);
 
   // Errors: kFileWrite.
   Status write(std::span<const std::byte> bytes);

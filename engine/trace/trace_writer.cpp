@@ -29,10 +29,12 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::create(const std::string& path
 
 Status TraceWriter::begin() {
   const std::lock_guard lock(mutex_);
-  if (Status emptied = file_.begin(); !emptied) return emptied;
-  begun_ = true;
-  flush_if(0);
   if (error_) return *error_;
+  if (Status begun = file_.begin(buffer_); !begun) return begun;
+  begun_ = true;
+  bytes_ = buffer_.size();
+  buffered_ticks_ = 0;
+  buffer_.clear();
   return Done{};
 }
 

@@ -34,7 +34,7 @@ class TraceWriter {
   bool push(const TraceCell& cell) { return ring_.push(cell); }
   void lose_tick() { lost_.add(1); }
 
-  // Empties the file and writes how it begins. Errors: kFileWrite.
+  // Writes how the file begins, in place of what it held. Errors: kFileWrite, kOutOfMemory.
   Status begin();
 
   // For any thread but a servo: they lock and may allocate, and after an error do nothing but make room.

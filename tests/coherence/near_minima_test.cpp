@@ -38,7 +38,8 @@ double quantile(std::vector<double> values, double q) {
   return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
 }
 
-bool same(const std::vector<Lmd>& one, const std::vector<Lmd>& other) {
+template <class Minimum>
+bool same(const std::vector<Minimum>& one, const std::vector<Minimum>& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const Lmd& a, const Lmd& b) {
     return a.feature_a == b.feature_a && a.feature_b == b.feature_b && a.point_a == b.point_a &&
            a.point_b == b.point_b && a.normal == b.normal && a.distance == b.distance && a.weight == b.weight;

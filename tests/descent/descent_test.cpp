@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "assets/shapes/box.h"
+#include "assets/shapes/platonic.h"
 #include "engine/base/clock.h"
 #include "engine/descent/lmd_tracker.h"
 #include "tests/support/models.h"
@@ -253,6 +254,9 @@ TEST_P(Descent, FollowsAMotion) {
               time_us / descents);
   EXPECT_GT(wanted, 0u);
   EXPECT_LT(static_cast<double>(missed), 0.25 * static_cast<double>(wanted));
+  if (form == DescentForm::kPolar) {
+    EXPECT_LT(static_cast<double>(work.triangle_pairs), 1.05 * descents) << "walks have ended elsewhere";
+  }
 }
 
 const auto kCases =
@@ -282,6 +286,35 @@ TEST(DescentPlateau, KeepsAllItsPointsWhileItSlides) {
     ASSERT_EQ(followed.set_count, 1u) << tick;
     ASSERT_EQ(followed.lmds.size(), complete.lmds.size()) << tick;
   }
+}
+
+// A way around a fine ball takes more steps than one tick has.
+TEST(DescentCutShort, GoesOnInTheNextTick) {
+  const auto ball = make_model(shapes::icosphere(0.1, 100)), probe = make_model(shapes::icosphere(0.01, 2));
+  const Pose pose{glm::mat3_cast(glm::angleAxis(0.4, glm::normalize(DVec3(1, 2, 3)))), {0.07, 0.06, 0.07}};
+  LmdSearch search;
+  LmdSet complete, followed;
+  SearchOptions options;
+  options.cutoff = 0.02;
+  search.run(*ball, *probe, pose, options, complete);
+  ASSERT_EQ(complete.set_count, 1u);
+  Random random(kSeed + 5);
+  int most_ticks = 0;
+  for (int i = 0; i < 50; ++i) {
+    const TrianglePair start{random.below(ball->mesh().triangles.size()),
+                             random.below(probe->mesh().triangles.size())};
+    LmdTracker tracker;
+    tracker.adopt(std::span(&start, 1));
+    int ticks = 0;
+    do {
+      tracker.follow(ball->mesh(), probe->mesh(), pose, options, options.cutoff, followed);
+    } while (++ticks < 20 && followed.lmds.empty() && tracker.size() > 0);
+    most_ticks = std::max(most_ticks, ticks);
+    ASSERT_EQ(followed.lmds.size(), 1u) << "seed " << kSeed + 5 << " start " << i;
+    EXPECT_EQ(followed.lmds.front().point_a, complete.lmds.front().point_a) << "seed " << kSeed + 5;
+  }
+  std::printf("seed %llu: up to %d ticks\n", static_cast<unsigned long long>(kSeed + 5), most_ticks);
+  EXPECT_GT(most_ticks, 1);
 }
 
 TEST(DescentContact, ReportsTouchingInsteadOfAMinimum) {

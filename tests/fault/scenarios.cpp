@@ -11,23 +11,15 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
-#include "tests/capi/devices.h"
 #include "tests/capi/gltf_file.h"
-#include "tests/device/openhaptics/stand_in_library.h"
+#include "tests/fault/calls.h"
+#include "tests/fault/device_scenarios.h"
 #include "tests/trace/traces.h"
 
 namespace palpate::test {
 namespace {
 
 constexpr double kCutoff = 0.1;
-
-void release(Journey& journey, plp_model model) {
-  journey("plp_model_release", [&] { return plp_model_release(model); });
-}
-
-void release(Journey& journey, plp_scene scene) {
-  journey("plp_scene_release", [&] { return plp_scene_release(scene); });
-}
 
 void keep_model(Journey& journey, plp_model model) {
   std::uint64_t hash = 0;
@@ -40,14 +32,6 @@ void keep_model(Journey& journey, plp_model model) {
     journey.keep(note, std::strlen(note));
   journey.keep(hash);
   journey.keep(info.tree_nodes);
-}
-
-plp_model new_model(Journey& journey, const Shape& shape) {
-  const plp_triangles triangles = triangles_of(shape);
-  plp_model model = nullptr;
-  journey("plp_model_create_from_triangles",
-          [&] { return plp_model_create_from_triangles(&triangles, nullptr, &model); });
-  return model;
 }
 
 void triangles(Journey& journey) {
@@ -139,12 +123,6 @@ void gltf_file(Journey& journey) {
   release(journey, model);
 }
 
-plp_scene new_scene(Journey& journey, const plp_scene_options& options) {
-  plp_scene scene = nullptr;
-  journey("plp_scene_create", [&] { return plp_scene_create(&options, &scene); });
-  return scene;
-}
-
 // All of an outcome but what it took.
 void keep_contacts(Journey& journey, plp_scene scene) {
   plp_contacts contacts;
@@ -160,22 +138,6 @@ void keep_contacts(Journey& journey, plp_scene scene) {
 void step(Journey& journey, plp_scene scene) {
   journey("plp_scene_step", [&] { return plp_scene_step(scene); });
   keep_contacts(journey, scene);
-}
-
-plp_body add(Journey& journey, plp_scene scene, plp_model model, plp_body_kind kind, const plp_pose& pose) {
-  plp_body_options options;
-  plp_body_options_init(&options, sizeof options);
-  options.model = model;
-  options.kind = kind;
-  options.pose = pose;
-  plp_body body = 0;
-  journey("plp_scene_add_body", [&] { return plp_scene_add_body(scene, &options, &body); });
-  journey.keep(body);
-  return body;
-}
-
-void place(Journey& journey, plp_scene scene, plp_body body, const plp_pose& pose) {
-  journey("plp_scene_set_pose", [&] { return plp_scene_set_pose(scene, body, &pose); });
 }
 
 void gltf_scene(Journey& journey) {
@@ -321,52 +283,6 @@ void servo(Journey& journey) {
   release(journey, cube);
 }
 
-void use_device(Journey& journey, const char* uri, bool simulated) {
-  std::size_t count = 0;
-  plp_device device = nullptr;
-  journey("plp_device_list", [&] { return plp_device_list(nullptr, 0, &count); });
-  journey("plp_device_open", [&] { return plp_device_open(uri, &device); });
-  const plp_model cube = new_model(journey, box(0.05f, 0.05f, 0.05f));
-  const plp_scene scene = new_scene(journey, TestScene::options_with(0.01));
-  add(journey, scene, cube, PLP_BODY_STATIC, at(0, -0.105, 0));
-  add(journey, scene, cube, PLP_BODY_TOOL, at(0, 0, 0));
-  const plp_device_mapping mapping = device_mapping();
-  const plp_safety_limits limits = safety_limits();
-  plp_device_info info;
-  plp_device_info_init(&info, sizeof info);
-  journey("plp_scene_set_device", [&] { return plp_scene_set_device(scene, device, &mapping); });
-  journey("plp_device_get_info", [&] { return plp_device_get_info(device, &info); });
-  journey("plp_device_set_limits", [&] { return plp_device_set_limits(device, &limits); });
-  if (simulated) {
-    const plp_hand_options hand = hand_options();
-    const double times[2] = {0.0, 1.0};
-    const plp_pose poses[2] = {at(0, 0, 0), at(0, 0.001, 0)};
-    journey("plp_device_set_hand", [&] { return plp_device_set_hand(device, &hand); });
-    journey("plp_device_set_hand_poses", [&] { return plp_device_set_hand_poses(device, times, poses, 2); });
-    journey("plp_device_place_in_hand", [&] { return plp_device_place_in_hand(device); });
-  }
-  journey("plp_device_arm", [&] { return plp_device_arm(device); });
-  plp_device_state state;
-  plp_device_state_init(&state, sizeof state);
-  // A step that fails is a tick to its device, too: where the handle goes is not compared.
-  for (int i = 0; i < 5; ++i) journey("plp_scene_step", [&] { return plp_scene_step(scene); });
-  journey("plp_device_get_state", [&] { return plp_device_get_state(device, &state); });
-  journey("plp_device_disarm", [&] { return plp_device_disarm(device); });
-  journey("plp_scene_set_device", [&] { return plp_scene_set_device(scene, nullptr, nullptr); });
-  journey("plp_device_release", [&] { return plp_device_release(device); });
-  release(journey, scene);
-  release(journey, cube);
-}
-
-void simulated_device(Journey& journey) {
-  use_device(journey, "sim:premium6dof", true);
-}
-
-void openhaptics_device(Journey& journey) {
-  const StandInLibrary library;
-  use_device(journey, StandInLibrary::uri("Default Device").c_str(), false);
-}
-
 void record(Journey& journey, plp_scene scene, plp_body tool, const TraceFile& file) {
   journey("plp_scene_record", [&] { return plp_scene_record(scene, file.path()); });
   for (int i = 0; i < 6; ++i) {
@@ -448,6 +364,10 @@ const std::vector<Scenario>& scenarios() {
       {"Servo", servo, true},
       {"SimulatedDevice", simulated_device},
       {"OpenHapticsDevice", openhaptics_device, true},
+#ifdef PALPATE_FAULT_HID
+      {"HidDevice", hid_device, true},
+      {"SpaceMouse", space_mouse, true},
+#endif
       {"Trace", trace, true},
   };
   return all;

@@ -56,8 +56,8 @@ HostileBus::Report resting_sample() {
 }
 
 HostileBus::Plugged device(Input& input) {
-  if (input.byte() < 64) return {0x256F, 0xC635, 1, 8, {}, {}};
-  return {0x1209, 1, 0xFF48, 1, features(input), resting_sample()};
+  if (input.byte() < 64) return {{0x256F, 0xC635, 1, 8}, {}, {}};
+  return {{0x1209, 1, 0xFF48, 1}, features(input), resting_sample()};
 }
 
 // A program whose scene's tool hangs on a device on the bus.

@@ -3,9 +3,11 @@
 #include <hidapi.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <new>
 
 namespace palpate::fuzz {
 namespace {
@@ -37,7 +39,9 @@ void HostileBus::plug(Plugged device) {
   const std::lock_guard lock(mutex_);
   waiting_ = device.first;
   plugged_ = std::move(device);
+  ++number_;
   strongest_ = 0.0;
+  changed_.notify_all();
 }
 
 void HostileBus::unplug() {
@@ -48,9 +52,15 @@ void HostileBus::unplug() {
 
 void HostileBus::report(Report report) {
   std::unique_lock lock(mutex_);
+  if (!plugged_) return;
   waiting_ = std::move(report);
   changed_.notify_all();
   changed_.wait_for(lock, kReadersTurn, [&] { return !waiting_; });
+}
+
+bool HostileBus::is_heard() {
+  const std::lock_guard lock(mutex_);
+  return !waiting_;
 }
 
 double HostileBus::strongest() {
@@ -58,17 +68,18 @@ double HostileBus::strongest() {
   return strongest_;
 }
 
-std::optional<HostileBus::Plugged> HostileBus::plugged() {
+std::optional<HostileBus::Found> HostileBus::find() {
   const std::lock_guard lock(mutex_);
-  return plugged_;
+  if (!plugged_) return std::nullopt;
+  return Found{plugged_->identity, number_};
 }
 
 // A reader that asks with a report in hand already has not shown that one yet.
-int HostileBus::read(std::span<std::uint8_t> into, int timeout_ms) {
+int HostileBus::read(std::uint64_t number, std::span<std::uint8_t> into, int timeout_ms) {
   std::unique_lock lock(mutex_);
-  if (timeout_ms == 0) return plugged_ ? 0 : -1;
-  changed_.wait_for(lock, std::chrono::milliseconds(1), [&] { return waiting_ || !plugged_; });
-  if (!plugged_) return -1;
+  if (timeout_ms == 0) return is_there(number) ? 0 : -1;
+  changed_.wait_for(lock, std::chrono::milliseconds(1), [&] { return waiting_ || !is_there(number); });
+  if (!is_there(number)) return -1;
   if (!waiting_) return 0;
   const std::size_t count = copy(*waiting_, into);
   waiting_.reset();
@@ -76,16 +87,16 @@ int HostileBus::read(std::span<std::uint8_t> into, int timeout_ms) {
   return static_cast<int>(count);
 }
 
-int HostileBus::write(std::span<const std::uint8_t> report) {
+int HostileBus::write(std::uint64_t number, std::span<const std::uint8_t> report) {
   const std::lock_guard lock(mutex_);
-  if (!plugged_) return -1;
+  if (!is_there(number)) return -1;
   strongest_ = std::max(strongest_, force_in(report));
   return static_cast<int>(report.size());
 }
 
-int HostileBus::feature(std::span<std::uint8_t> into) {
+int HostileBus::feature(std::uint64_t number, std::span<std::uint8_t> into) {
   const std::lock_guard lock(mutex_);
-  if (!plugged_ || plugged_->features.empty()) return -1;
+  if (!is_there(number) || plugged_->features.empty()) return -1;
   return static_cast<int>(copy(plugged_->features, into));
 }
 
@@ -93,21 +104,34 @@ int HostileBus::feature(std::span<std::uint8_t> into) {
 
 using palpate::fuzz::HostileBus;
 
-// There is one device, so a handle need only not be null.
-struct hid_device_ {};
+struct hid_device_ {
+  std::uint64_t number;
+};
+
+namespace {
+
+// As hidapi does it: without memory there is none, and errno tells why.
+template <class Made>
+Made* made() {
+  auto* const memory = new (std::nothrow) Made{};
+  if (!memory) errno = ENOMEM;
+  return memory;
+}
+
+}  // namespace
 
 hid_device_info* hid_enumerate(unsigned short, unsigned short) {
-  const std::optional<HostileBus::Plugged> plugged = HostileBus::the().plugged();
-  if (!plugged) return nullptr;
+  const std::optional<HostileBus::Found> found = HostileBus::the().find();
+  auto* const info = found ? made<hid_device_info>() : nullptr;
+  if (!info) return nullptr;
   static char path[] = "/dev/null";  // may be read and written
   static wchar_t product[] = L"Hostile";
-  auto* const info = new hid_device_info{};
   info->path = path;
   info->product_string = product;
-  info->vendor_id = plugged->vendor;
-  info->product_id = plugged->product;
-  info->usage_page = plugged->usage_page;
-  info->usage = plugged->usage;
+  info->vendor_id = found->identity.vendor;
+  info->product_id = found->identity.product;
+  info->usage_page = found->identity.usage_page;
+  info->usage = found->identity.usage;
   return info;
 }
 
@@ -116,25 +140,29 @@ void hid_free_enumeration(hid_device_info* devices) {
 }
 
 hid_device* hid_open_path(const char*) {
-  return HostileBus::the().plugged() ? new hid_device_ : nullptr;
+  const std::optional<HostileBus::Found> found = HostileBus::the().find();
+  auto* const device = found ? made<hid_device>() : nullptr;
+  if (device) device->number = found->number;
+  return device;
 }
 
 void hid_close(hid_device* device) {
   delete device;
 }
 
-int hid_read_timeout(hid_device*, unsigned char* data, std::size_t length, int milliseconds) {
-  return HostileBus::the().read({data, length}, milliseconds);
+int hid_read_timeout(hid_device* device, unsigned char* data, std::size_t length, int milliseconds) {
+  return HostileBus::the().read(device->number, {data, length}, milliseconds);
 }
 
-int hid_write(hid_device*, const unsigned char* data, std::size_t length) {
-  return HostileBus::the().write({data, length});
+int hid_write(hid_device* device, const unsigned char* data, std::size_t length) {
+  return HostileBus::the().write(device->number, {data, length});
 }
 
-int hid_send_feature_report(hid_device*, const unsigned char*, std::size_t length) {
-  return HostileBus::the().plugged() ? static_cast<int>(length) : -1;
+int hid_send_feature_report(hid_device* device, const unsigned char*, std::size_t length) {
+  const std::optional<HostileBus::Found> found = HostileBus::the().find();
+  return found && found->number == device->number ? static_cast<int>(length) : -1;
 }
 
-int hid_get_feature_report(hid_device*, unsigned char* data, std::size_t length) {
-  return HostileBus::the().feature({data, length});
+int hid_get_feature_report(hid_device* device, unsigned char* data, std::size_t length) {
+  return HostileBus::the().feature(device->number, {data, length});
 }

@@ -234,14 +234,14 @@ INSTANTIATE_TEST_SUITE_P(
     Modes, GoldenTest,
     testing::Values(
         Golden{"global", {PLP_MODE_GLOBAL, 0}, 0xfc4085c0a975ada4},
-        Golden{"descent", {PLP_MODE_DESCENT, 0}, 0xccc04b336aaa53f0},
+        Golden{"descent", {PLP_MODE_DESCENT, 0}, 0x21f767d801483de4},
         Golden{"certified", {PLP_MODE_CERTIFIED, 0}, 0xfc4085c0a975ada4},
         Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
         Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
-        Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0x6a81cec487225dde},
-        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xa90e00ae29dd1fb0},
+        Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0xe4b0d0554f66803c},
+        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0x8c1736e52509adbb},
         Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xc1947714dd72cd8e},
-        Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0x7bbc93f993725d91},
+        Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xad7d7742279ccebb},
         Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x6b727342668562ef}),
     [](const auto& info) { return std::string(info.param.name); });
 

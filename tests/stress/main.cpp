@@ -18,6 +18,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   unsigned jobs = 2;
   std::string only;
+  int number = -1;  // of the one case to run of each family
   std::string out;
 };
 
@@ -34,7 +35,7 @@ class Session {
     for (const Family& family : families())
       if (wanted(family.name)) chosen_families_.push_back(&family);
     for (const HandScene& scene : hand_scenes())
-      if (wanted(scene.name)) chosen_scenes_.push_back(&scene);
+      if (arguments_.number < 0 && wanted(scene.name)) chosen_scenes_.push_back(&scene);
     family_reports_.resize(chosen_families_.size());
     hand_reports_.resize(chosen_scenes_.size());
   }
@@ -78,9 +79,11 @@ class Session {
   void run_family(std::size_t i) {
     const auto start = Clock::now();
     FamilyReport& report = family_reports_[i];
-    for (int number = 0; number == 0 || seconds_since(start) < share(); ++number)
+    const int first = std::max(arguments_.number, 0);
+    for (int number = first; number == first || (arguments_.number < 0 && seconds_since(start) < share());
+         ++number)
       run_case(*chosen_families_[i], arguments_.seed, number, report);
-    say(report.family, std::to_string(report.search.cases) + " cases", report.faults(), report.first);
+    say(report.family, std::to_string(report.search.cases) + " cases", report.faults(), report.wrong);
   }
 
   void run_scene(std::size_t i) {
@@ -88,14 +91,16 @@ class Session {
     HandReport& report = hand_reports_[i];
     report.scene = chosen_scenes_[i]->name;
     report.outcome = stress_hand(*chosen_scenes_[i], [&] { return seconds_since(start) > share(); });
-    say(report.scene, std::to_string(report.outcome.cycles) + " cycles", report.outcome.faults(), "");
+    say(report.scene, std::to_string(report.outcome.cycles) + " cycles", report.outcome.faults(), {});
   }
 
-  void say(const std::string& name, const std::string& amount, int faults, const std::string& first) {
+  void say(const std::string& name, const std::string& amount, int faults,
+           const std::vector<std::string>& wrong) {
     const std::lock_guard lock(mutex_);
     faults_ += faults;
-    std::printf("[%5.0f s] %2zu of %zu: %-22s %s, %d faults %s\n", seconds_since(start_), ++done_, items(),
-                name.c_str(), amount.c_str(), faults, first.c_str());
+    std::printf("[%5.0f s] %2zu of %zu: %-22s %s, %d faults\n", seconds_since(start_), ++done_, items(),
+                name.c_str(), amount.c_str(), faults);
+    for (const std::string& one : wrong) std::printf("  %s\n", one.c_str());
     std::fflush(stdout);
   }
 
@@ -120,6 +125,9 @@ int main(int count, char** values) {
   app.add_option("--seed", arguments.seed, "names the run");
   app.add_option("--jobs", arguments.jobs, "threads");
   app.add_option("--only", arguments.only, "families and scenes whose name holds this");
+  app.add_option("--case", arguments.number,
+                 "the number of the one case to run of each family, as faults tell it")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--out", arguments.out, "file for the tables");
   CLI11_PARSE(app, count, values);
   return palpate::stress::Session(arguments).run() == 0 ? 0 : 1;

@@ -65,6 +65,7 @@ class Reference {
   void measure(std::uint32_t in_a, std::uint32_t in_b);
   Real feature_size(oracle::Place place_a, oracle::Place place_b) const;
   bool covered(const Wanted& wanted, const LmdSet& found, double tolerance) const;
+  bool has_weak_minimum(oracle::Place place_a, oracle::Place place_b) const;
   std::string fault_of(const Lmd& lmd, double tolerance) const;
   double error_of(const Lmd& lmd) const;
   RVec3 normalised(const DVec3& metres) const;

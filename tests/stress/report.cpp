@@ -44,6 +44,14 @@ int not_numbers(const FamilyReport& report) {
          report.search.descent.not_numbers + report.force.not_numbers;
 }
 
+std::string in_words(const FamilyReport& one, std::uint64_t seed, int number) {
+  std::string words = text("seed %llu case %d", static_cast<unsigned long long>(seed), number);
+  for (const Verdict* verdict : {&one.search.global, &one.search.certified, &one.search.descent})
+    if (!verdict->first.empty()) words += "; " + verdict->first;
+  if (one.force.largest_jump > kLargestJump) words += text("; force jump %.2g", one.force.largest_jump);
+  return words;
+}
+
 }  // namespace
 
 int FamilyReport::faults() const {
@@ -56,19 +64,23 @@ int FamilyReport::faults() const {
                           triangles.palpate.false_gaps + triangles.unsafe_bounds);
 }
 
+void FamilyReport::add(const FamilyReport& other) {
+  search.add(other.search);
+  triangles.add(other.triangles);
+  force.add(other.force);
+  wrong.insert(wrong.end(), other.wrong.begin(), other.wrong.end());
+}
+
 void run_case(const Family& family, std::uint64_t seed, int number, FamilyReport& report) {
   report.family = family.name;
-  const int before = report.faults();
+  FamilyReport one;
   Random random(seed * 1'000'003u + static_cast<std::uint64_t>(number));
   const Case c = family.make(random);
-  report.search.add(stress_search(c, random));
-  report.triangles.add(stress_triangles(c, random));
-  report.force.add(stress_force(c, random));
-  if (report.faults() == before || !report.first.empty()) return;
-  const SearchOutcome& search = report.search;
-  report.first = text("seed %llu case %d", static_cast<unsigned long long>(seed), number);
-  for (const Verdict* verdict : {&search.global, &search.certified, &search.descent})
-    if (!verdict->first.empty()) report.first += "; " + verdict->first;
+  one.search = stress_search(c, random);
+  one.triangles = stress_triangles(c, random);
+  one.force = stress_force(c, random);
+  if (one.faults() > 0) one.wrong.push_back(in_words(one, seed, number));
+  report.add(one);
 }
 
 std::string search_table(const std::vector<FamilyReport>& reports) {

@@ -16,8 +16,9 @@ struct FamilyReport {
   SearchOutcome search;
   TriangleOutcome triangles;
   ForceOutcome force;
-  std::string first;  // fault in words
+  std::vector<std::string> wrong;  // cases with faults, in words
 
+  void add(const FamilyReport& other);
   int faults() const;
 };
 

@@ -7,11 +7,12 @@ source tests/support/packages.sh
 
 usage() {
   cat <<'USAGE'
-Usage: bash tests/stress/run.sh [--minutes M] [--seed S] [--only TEXT]
+Usage: bash tests/stress/run.sh [--minutes M] [--seed S] [--only TEXT] [--case N]
 
   --minutes M   all together (50)
   --seed S      a whole number that names the run (1)
   --only TEXT   the families and scenes whose name holds it
+  --case N      the one case of each family whose number is N, as faults tell it
   --help        this text
 
   PALPATE_JOBS   compilers and threads at a time (2)
@@ -29,7 +30,7 @@ while (($#)); do
       [[ "$minutes" =~ ^[1-9][0-9]*$ ]] || { echo "tests/stress/run.sh: --minutes takes a whole number" >&2; exit 2; }
       shift
       ;;
-    --seed | --only) options+=("$1" "${2:?$1 needs a value}"); shift ;;
+    --seed | --only | --case) options+=("$1" "${2:?$1 needs a value}"); shift ;;
     --help | -h) usage; exit 0 ;;
     *) echo "tests/stress/run.sh: unknown option $1" >&2; usage >&2; exit 2 ;;
   esac

@@ -40,7 +40,9 @@ Pose place_near(const Model& a, const Model& b, double gap, Random& random) {
     const Mesh& mesh = model.mesh();
     return mesh.frame.metres(mesh.position(random.below(mesh.positions.size())));
   };
-  const DVec3 meeting = vertex(a) - rotation * vertex(b);
+  // One after the other, so that a seed names the same pose whatever the compiler.
+  const DVec3 of_b = rotation * vertex(b);
+  const DVec3 meeting = vertex(a) - of_b;
   double inside = 0.0, outside = 2.1 * (a.radius() + b.radius());
   const auto pose_at = [&](double along) { return Pose{rotation, meeting + direction * along}; };
   while (outside - inside > 1e-9 * (a.radius() + b.radius())) {

@@ -1,5 +1,6 @@
 // What a recording keeps of a session, and how it fails.
 #include <filesystem>
+#include <utility>
 
 #include "tests/trace/traces.h"
 
@@ -122,6 +123,34 @@ TEST_F(RecordingTest, IsRefusedWhereItCannotBe) {
   EXPECT_EQ(recording.running, 1);
   EXPECT_EQ(plp_scene_stop_recording(scene.handle, nullptr), PLP_OK);
   EXPECT_EQ(TestTrace(file).info().ticks, 0u);
+}
+
+TEST_F(RecordingTest, AFullDiskKeepsTheFileThatItHas) {
+  TraceFile file;
+  const TraceFile none;
+  file.write("what was here before");
+  TestScene scene(0.2);
+  {
+    const FileSizeLimit limit(30);
+    for (const TraceFile* const refused : {&std::as_const(file), &none}) {
+      EXPECT_EQ(plp_scene_record(scene.handle, refused->path()), PLP_ERROR_FILE_WRITE);
+      EXPECT_NE(std::string(plp_last_error()).find(refused->path()), std::string::npos) << plp_last_error();
+    }
+  }
+  EXPECT_EQ(file.bytes(), "what was here before");
+  EXPECT_FALSE(std::filesystem::exists(none.path()));
+}
+
+// A longer file than a whole trace leaves nothing of itself.
+TEST_F(RecordingTest, WhatWasThereIsGone) {
+  TraceFile file;
+  file.write(std::string(1'000'000, 'x'));
+  TestScene scene(0.2);
+  ASSERT_EQ(plp_scene_record(scene.handle, file.path()), PLP_OK);
+  scene.step();
+  const plp_recording recording = stop_recording(scene.handle);
+  EXPECT_EQ(file.bytes().size(), recording.bytes);
+  EXPECT_EQ(TestTrace(file).info().complete, 1);
 }
 
 // A disk that fills up later. The limit on the size of files makes write() fail with EFBIG.

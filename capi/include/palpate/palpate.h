@@ -386,7 +386,7 @@ typedef struct plp_work {
   uint64_t node_pairs;     /**< pairs of hierarchy nodes visited */
   uint64_t triangle_pairs; /**< pairs of triangles tested */
   uint64_t descents;       /**< PLP_MODE_DESCENT: LMDs followed */
-  uint64_t descent_steps;  /**< PLP_MODE_DESCENT: moves to other triangles */
+  uint64_t descent_steps;  /**< PLP_MODE_DESCENT: moves to other triangles or features */
   uint64_t front_entries;  /**< PLP_MODE_CERTIFIED: certificates kept */
   uint64_t front_expired;  /**< PLP_MODE_CERTIFIED: of those, renewed in this step */
   uint64_t age;            /**< steps since the search that the LMDs come from */
@@ -1141,8 +1141,9 @@ PLP_API void plp_recording_init(plp_recording* recording, size_t size);
  * depends on: poses as the engine has them, bodies, settings. A caller's steps are all recorded; a servo
  * never waits for the file, so steps are lost, and counted, if it is slower than they come. A thread of this
  * library writes it. Replayed from its first step in a new scene, a trace gives the same bits.
- * @param path UTF-8; a file that is there is overwritten, and stays as it is where recording is refused for
- * anything but _FILE_WRITE. In a folder that is not there: _FILE_NOT_FOUND.
+ * @param path UTF-8; a file that is there is overwritten, and stays as it is where recording is refused: also
+ * where the disk is full, if its file system can set room aside. In a folder that is not there:
+ * _FILE_NOT_FOUND.
  * @return PLP_ERROR_INVALID_HANDLE, _INVALID_ARGUMENT, _WRONG_STATE (it is recorded already),
  * _FILE_NOT_FOUND, _FILE_WRITE, _LIMIT (the system allows no more threads) or _OUT_OF_MEMORY.
  * @threadsafety any @since 0.1

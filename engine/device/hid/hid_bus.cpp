@@ -4,11 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
 
 #include "engine/device/hid/hid_advice.h"
+#include "engine/device/hid/hidapi_memory.h"
 #include "engine/device/hid/ohhp.h"
 
 namespace palpate {
@@ -83,9 +85,10 @@ void add(HidEntry entry, std::vector<HidEntry>& entries) {
 
 std::vector<HidEntry> locked_entries(const std::set<std::string>& taken) {
   std::vector<HidEntry> entries;
-  hid_device_info* const found = hid_enumerate(0, 0);
-  for (const hid_device_info* info = found; info; info = info->next) add(entry_of(*info, taken), entries);
-  hid_free_enumeration(found);
+  const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> found(
+      given_memory([] { return hid_enumerate(0, 0); }), &hid_free_enumeration);
+  for (const hid_device_info* info = found.get(); info; info = info->next)
+    add(entry_of(*info, taken), entries);
   std::sort(entries.begin(), entries.end(),
             [](const HidEntry& a, const HidEntry& b) { return a.path < b.path; });
   return entries;
@@ -95,8 +98,13 @@ std::shared_ptr<HidConnection> connected(const HidEntry& entry, std::set<std::st
   auto in = HidHandle::open(entry.path);
   auto out = in ? HidHandle::open(entry.path) : std::nullopt;
   if (!out) return nullptr;
-  taken.insert(entry.path);
-  return std::make_shared<HidConnection>(entry, *std::move(in), *std::move(out));
+  const auto place = taken.insert(entry.path).first;
+  try {
+    return std::make_shared<HidConnection>(entry, *std::move(in), *std::move(out));
+  } catch (...) {
+    taken.erase(place);
+    throw;
+  }
 }
 
 }  // namespace

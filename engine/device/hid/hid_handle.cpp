@@ -2,10 +2,12 @@
 
 #include <hidapi.h>
 
+#include "engine/device/hid/hidapi_memory.h"
+
 namespace palpate {
 
 std::optional<HidHandle> HidHandle::open(const std::string& path) {
-  hid_device* const device = hid_open_path(path.c_str());
+  hid_device* const device = given_memory([&] { return hid_open_path(path.c_str()); });
   if (!device) return std::nullopt;
   return HidHandle(device);
 }

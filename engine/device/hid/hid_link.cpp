@@ -67,9 +67,9 @@ bool HidLink::hear(HidConnection& connection) {
   int length = connection.in().read(report, kPatienceMs);
   if (length == 0) listener_.silent(1e-6 * heard_.elapsed_us());
   if (length == 0) return !connection.given_up();
-  for (int count = 0; length > 0 && count < kMostAtOnce; ++count) {
+  for (int count = 1; length > 0; ++count) {
     listener_.take(std::span(report).first(static_cast<std::size_t>(length)));
-    length = connection.in().read(report, 0);
+    length = count < kMostAtOnce ? connection.in().read(report, 0) : 0;
   }
   if (length < 0 || connection.given_up()) return false;
   listener_.show();
