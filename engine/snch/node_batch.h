@@ -91,7 +91,7 @@ class NodeBatch {
   };
 
  private:
-  static constexpr float kCoarse = 2.5f;
+  static constexpr float kCoarse = 3.0f;
 
   void gather(std::span<const NodePair> pairs);
 

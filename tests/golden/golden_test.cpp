@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
         Golden{"smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
         Golden{"smooth_global", {PLP_MODE_GLOBAL, 0, PLP_LAW_SMOOTH}, 0x0e4f1d6c391ce0de},
         Golden{"smooth_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SMOOTH}, 0xe4b0d0554f66803c},
-        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xc6a3f0c59fe707bf},
+        Golden{"budget", {PLP_MODE_CERTIFIED, 600}, 0xd3da926b89ae21f1},
         Golden{"flush", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xc1947714dd72cd8e},
         Golden{"flush_descent", {PLP_MODE_DESCENT, 0, PLP_LAW_SPRINGS, Course::kFlush}, 0xad7d7742279ccebb},
         Golden{"flush_smooth", {PLP_MODE_CERTIFIED, 0, PLP_LAW_SMOOTH, Course::kFlush}, 0x6b727342668562ef}),
