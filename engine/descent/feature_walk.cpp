@@ -18,18 +18,8 @@ bool leads(double along, const DVec3& direction, const DVec3& u) {
   return along > 0 && along * along > kLevel * kLevel * glm::dot(direction, direction) * glm::dot(u, u);
 }
 
-double clamp_unit(double x) {
-  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
-}
-
 int corner_of(const TriangleIndices& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-}
-
-std::uint32_t apex_of(const TriangleIndices& triangle, const Edge& edge) {
-  for (int k = 0; k < 2; ++k)
-    if (triangle[k] != edge.vertex[0] && triangle[k] != edge.vertex[1]) return triangle[k];
-  return triangle[2];
 }
 
 // Not negative: the foot of `point` in the triangle's plane is on the inner side of side k.
@@ -180,10 +170,8 @@ FeatureWalk::Step FeatureWalk::on_edges() {
   }
   const DVec3 between = start[1] - start[0];
   const LinePair lines(start[0], along[0], start[1], along[1]);
-  const double crossed = glm::dot(along[0], along[1]);
-  std::array<double, 2> place{clamp_unit(lines.s), 0.0};
-  place[1] = clamp_unit((place[0] * crossed - glm::dot(between, along[1])) / glm::dot(along[1], along[1]));
-  place[0] = clamp_unit((place[1] * crossed + glm::dot(between, along[0])) / glm::dot(along[0], along[0]));
+  const SegmentPair edges(lines.s, between, along[0], along[1]);
+  const std::array<double, 2> place{edges.s, edges.t};
   Step outcome = Step::kStands;
   for (int side = 0; side < 2; ++side)
     if (place[side] <= 0 || place[side] >= 1)

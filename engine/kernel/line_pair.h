@@ -25,4 +25,22 @@ struct LinePair {
   }
 };
 
+// NaN, which a parameter of parallel lines may be, becomes 0.
+inline double clamp_unit(double x) {
+  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+}
+
+// Where two segments come closest: p + s·u and q + t·v with s and t from 0 to 1. `between` is q − p, `guess`
+// where the lines come closest on the first.
+struct SegmentPair {
+  double s;
+  double t;
+
+  SegmentPair(double guess, const DVec3& between, const DVec3& u, const DVec3& v) : s(clamp_unit(guess)) {
+    const double uv = glm::dot(u, v);
+    t = clamp_unit((s * uv - glm::dot(between, v)) / glm::dot(v, v));
+    s = clamp_unit((t * uv + glm::dot(between, u)) / glm::dot(u, u));
+  }
+};
+
 }  // namespace palpate

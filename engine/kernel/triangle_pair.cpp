@@ -8,11 +8,6 @@
 namespace palpate {
 namespace {
 
-// NaN, which a parameter of parallel lines may be, becomes 0.
-double clamp_unit(double x) {
-  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
-}
-
 void keep_closer(ClosestPoints& best, const DVec3& on_first, const DVec3& on_second,
                  TrianglePlace first_place, TrianglePlace second_place) {
   const DVec3 between = on_second - on_first;
@@ -27,14 +22,10 @@ TrianglePlace place_on_side(int side, double parameter) {
 
 void compare_sides(ClosestPoints& best, const Triangle& first, int i, const Triangle& second, int j) {
   const DVec3 u = first.along(i), v = second.along(j);
-  const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
-  const DVec3 between = second.start(j) - first.start(i);
   const LinePair lines(first.start(i), u, second.start(j), v);
-  double s = clamp_unit(lines.s);
-  const double t = clamp_unit((s * uv - glm::dot(between, v)) / vv);
-  s = clamp_unit((t * uv + glm::dot(between, u)) / uu);
-  keep_closer(best, first.start(i) + s * u, second.start(j) + t * v, place_on_side(i, s),
-              place_on_side(j, t));
+  const SegmentPair sides(lines.s, second.start(j) - first.start(i), u, v);
+  keep_closer(best, first.start(i) + sides.s * u, second.start(j) + sides.t * v, place_on_side(i, sides.s),
+              place_on_side(j, sides.t));
 }
 
 // The foot of `point` in the plane of `triangle` lies inside the triangle.

@@ -14,6 +14,13 @@ struct Edge {
   std::uint32_t vertex[2];
 };
 
+// The corner of a triangle that is not on one of its edges.
+inline std::uint32_t apex_of(const TriangleIndices& triangle, const Edge& edge) {
+  for (int k = 0; k < 2; ++k)
+    if (triangle[k] != edge.vertex[0] && triangle[k] != edge.vertex[1]) return triangle[k];
+  return triangle[2];
+}
+
 enum class FeatureKind : std::uint8_t { kFace, kEdge, kVertex };
 
 // A face, edge or vertex of a mesh by its index.

@@ -24,9 +24,7 @@ DVec3 direction(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
 // The direction in `triangle` at right angles to `edge` that leads away from it.
 DVec3 inward(const Mesh& mesh, std::uint32_t edge, std::uint32_t triangle) {
   const auto [from, to] = mesh.edges[edge].vertex;
-  const TriangleIndices& corners = mesh.triangles[triangle];
-  const std::uint32_t apex = *std::find_if(corners.begin(), corners.end(),
-                                           [&, f = from, t = to](auto c) { return c != f && c != t; });
+  const std::uint32_t apex = apex_of(mesh.triangles[triangle], mesh.edges[edge]);
   // In-plane and perpendicular through the normal: stays accurate where the apex is nearly on the edge's
   // line.
   const DVec3 along = mesh.position(to) - mesh.position(from);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/kernel/line_pair.h"
+
 namespace palpate {
 namespace {
 
@@ -12,26 +14,19 @@ constexpr double kRounding = 4e-6;
 // What the distance of parallel segments may be too large by, relative to their lengths.
 constexpr double kParallel = 1e-7;
 
-// NaN becomes 0.
-double unit(double x) {
-  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
-}
-
 // The distance between two segments, or a little less: their parameters are noise where they are parallel.
 double distance_between(const DVec3& p, const DVec3& u, const DVec3& q, const DVec3& v) {
   const DVec3 between = q - p;
   const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
   const double ub = glm::dot(u, between), vb = glm::dot(v, between), area = uu * vv - uv * uv;
-  double s = unit((ub * vv - vb * uv) / area);
-  const double t = unit((s * uv - vb) / vv);
-  s = unit((t * uv + ub) / uu);
-  return glm::length(between + t * v - s * u) - kParallel * (std::sqrt(uu) + std::sqrt(vv));
+  const SegmentPair closest((ub * vv - vb * uv) / area, between, u, v);
+  return glm::length(between + closest.t * v - closest.s * u) - kParallel * (std::sqrt(uu) + std::sqrt(vv));
 }
 
 // The distance between a point and a segment, which may be a point.
 double distance_to(const DVec3& point, const DVec3& p, const DVec3& u) {
   const DVec3 between = point - p;
-  return glm::length(between - u * unit(glm::dot(between, u) / glm::dot(u, u)));
+  return glm::length(between - u * clamp_unit(glm::dot(between, u) / glm::dot(u, u)));
 }
 
 }  // namespace

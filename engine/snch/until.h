@@ -34,9 +34,6 @@ class Readings {
             rounded_down(angle_ + kKept * certificate.angle)};
   }
 
-  // What is left of a certificate.
-  Certificate left(const Until& until) const { return {until.distance - distance_, until.angle - angle_}; }
-
   // The same when the odometer is set back to 0.
   Until set_back(const Until& until) const {
     return {rounded_down(until.distance - distance_), rounded_down(until.angle - angle_)};
